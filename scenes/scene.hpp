@@ -1,0 +1,133 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "factor/brdf.hpp"
+#include "factor/settings.hpp"
+#include "raster/pass.hpp"
+#include "texunit/preset.hpp"
+
+/// A scene file as a value. `scene_file` reads and writes it; `build` makes a Frame of it.
+/// The JSON form of every field is described in scenes/scene.schema.json.
+namespace twofold {
+
+struct ImageSpec {
+    int width = 1024;   ///< pixels
+    int height = 768;   ///< pixels
+    Rgb background{0.0};  ///< displayed value 0..1, alpha 0
+};
+
+struct Camera {
+    Vec3 eye{0.0, 0.0, 3.0};
+    Vec3 target{0.0};
+    Vec3 up{0.0, 1.0, 0.0};
+    double vertical_fov_degrees = 40.0;
+    double near_plane = 0.1;  ///< distance, > 0
+    double far_plane = 100.0;
+};
+
+/// A latitude-longitude picture (.hdr, .exr); the path is relative to the scene file.
+struct LatLongFile {
+    std::string path;
+    bool repair = false;  ///< texels that are not finite become 0 and are counted, instead of an error
+};
+
+struct DiscLight {
+    Vec3 direction;             ///< towards the centre of the disc
+    double half_angle_degrees;  ///< of the cone that the disc fills
+    Rgb radiance;
+};
+
+/// Area lights painted onto a constant background, rendered to a latitude-longitude picture.
+struct PaintedEnvironment {
+    Rgb background{0.0};
+    std::vector<DiscLight> lights;
+    int width = 512;
+    int height = 256;
+};
+
+struct DirectionalLight {
+    Vec3 direction;  ///< towards the light
+    Rgb irradiance;  ///< on a surface that faces it
+};
+
+struct DirectionalLights {
+    std::vector<DirectionalLight> lights;
+};
+
+struct EnvironmentSpec {
+    std::variant<LatLongFile, PaintedEnvironment, DirectionalLights> source;
+    int cells = 8192;  ///< the picture is averaged to at most so many lights; no effect on directional ones
+};
+
+/// The radiance that is displayed as 1.0: a number, or a percentile of the samples' largest channel.
+struct WhitePoint {
+    std::optional<double> radiance;
+    double percentile = 99.0;
+};
+
+struct MeshFile {
+    std::string path;  ///< .obj or .ply, relative to the scene file
+};
+struct SphereMesh {
+    int subdivisions = 41;  ///< n: 12 n^2 triangles
+};
+struct QuadMesh {};
+/// Vertices written out in the scene file.
+struct InlineMesh {
+    Mesh mesh;
+};
+using MeshSpec = std::variant<MeshFile, SphereMesh, QuadMesh, InlineMesh>;
+
+/// A mesh shaded by the paper's method: its material's lighting function, factored and drawn in passes.
+struct FactoredObject {
+    std::string mesh;
+    std::string material;
+    Vec3 translation{0.0};
+    double scale = 1.0;
+    double rotate_y_degrees = 0.0;  ///< applied before the translation
+};
+
+/// Textures of explicit passes: a PNG file or a checkerboard.
+struct TextureFile {
+    std::string path;  ///< relative to the scene file
+};
+struct Checkerboard {
+    int width = 8;
+    int height = 8;
+    int cell = 1;  ///< texels along the edge of one field
+    Vec4 first{1.0};  ///< texel (0, 0)
+    Vec4 second{0.0, 0.0, 0.0, 1.0};
+};
+using TextureSpec = std::variant<TextureFile, Checkerboard>;
+
+/// An explicit pass. `state.units[i].texture` is not used: `textures[i]` names the texture instead.
+/// Without `own_matrices` the modelview and projection are the camera's.
+struct ScenePass {
+    std::string mesh;
+    std::array<std::string, 2> textures;  ///< a name in Scene::textures; empty = none
+    bool own_matrices = false;
+    PassState state;
+};
+
+struct Scene {
+    std::string title;
+    std::string directory;  ///< of the scene file: relative paths start here; not a field of the file
+    ImageSpec image;
+    Camera camera;
+    std::optional<EnvironmentSpec> environment;  ///< needed when there are objects
+    WhitePoint white;
+    FactorSettings factorization;
+    std::map<std::string, Brdf> materials;
+    std::map<std::string, MeshSpec> meshes;
+    std::map<std::string, TextureSpec> textures;
+    std::vector<FactoredObject> objects;  ///< drawn first, in order
+    std::vector<ScenePass> passes;        ///< drawn after the objects, in order
+    std::vector<Preset> presets;          ///< at least one
+};
+
+}  // namespace twofold
