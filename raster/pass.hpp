@@ -8,8 +8,8 @@
 #include "texunit/texture.hpp"
 #include "texunit/unit_state.hpp"
 
-/// What is drawn: plain values in OpenGL 1.3's terms. What is not declared is off, is not simulated and
-/// costs nothing.
+/// What is drawn: plain values in OpenGL 1.3's terms. What is not declared is off, is not simulated
+/// and costs nothing.
 namespace twofold {
 
 enum class CompareFunc { never, less, equal, lequal, greater, notequal, gequal, always };
@@ -17,7 +17,8 @@ enum class CompareFunc { never, less, equal, lequal, greater, notequal, gequal, 
 enum class CullFace { none, front, back };
 
 /// @source OpenGL 1.3, tables 4.1 and 4.2; as in that version source factors lack src_color and
-/// destination factors lack dst_color, which `normalized` does not forbid: later versions allow both.
+/// destination factors lack dst_color, which `normalized` does not forbid: later versions allow
+/// both.
 enum class BlendFactor {
     zero,
     one,
@@ -50,8 +51,8 @@ struct Blend {
     bool operator==(const Blend&) const = default;
 };
 
-/// The state of one pass over a mesh. Matrices act on column vectors; a triangle is front-facing when its
-/// vertices run counter-clockwise on the screen (y up).
+/// The state of one pass over a mesh. Matrices act on column vectors; a triangle is front-facing
+/// when its vertices run counter-clockwise on the screen (y up).
 struct PassState {
     Mat4 modelview{1.0};
     Mat4 projection{1.0};
@@ -67,8 +68,8 @@ struct PassState {
     bool operator==(const PassState&) const = default;
 };
 
-/// `state` without what cannot change a pixel, so that equal drawings have equal states: a test that
-/// always passes, a blend that replaces, a normalisation nobody reads.
+/// `state` without what cannot change a pixel, so that equal drawings have equal states: a test
+/// that always passes, a blend that replaces, a normalisation nobody reads.
 PassState normalized(PassState state);
 
 /// One pass: a state and the mesh it is drawn with.

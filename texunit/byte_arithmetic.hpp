@@ -1,7 +1,7 @@
 #pragma once
 
-/// Integer primitives of 8-bit colour arithmetic: 0..255 stands for 0..1. Each is one formula, checked over
-/// its whole domain in tests/texunit/byte_arithmetic_test.cpp.
+/// Integer primitives of 8-bit colour arithmetic: 0..255 stands for 0..1. Each is one formula,
+/// checked over its whole domain in tests/texunit/byte_arithmetic_test.cpp.
 namespace twofold {
 
 /// round(a b / 255). The quotient never ends in .5 because 255 is odd, so rounding has one meaning.

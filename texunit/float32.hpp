@@ -3,7 +3,8 @@
 
 namespace twofold {
 
-/// Binary32 throughout, one rounding an operation: what a floating-point GPU of a later generation computes.
+/// Binary32 throughout, one rounding an operation: what a floating-point GPU of a later generation
+/// computes.
 struct Float32 : RealModel<float> {
     using Depth = std::uint32_t;
     static constexpr Preset preset = Preset::float32;

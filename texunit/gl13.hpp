@@ -3,8 +3,8 @@
 
 namespace twofold {
 
-/// What the text of OpenGL 1.3 alone implies: bytes wherever it says that values are rounded to the number of
-/// stored bits (vertex colours, texels, framebuffer), real arithmetic between.
+/// What the text of OpenGL 1.3 alone implies: bytes wherever it says that values are rounded to the
+/// number of stored bits (vertex colours, texels, framebuffer), real arithmetic between.
 struct Gl13 : RealModel<double> {
     using Pixel = int;
     using Depth = std::uint32_t;

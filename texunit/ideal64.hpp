@@ -3,8 +3,8 @@
 
 namespace twofold {
 
-/// Truth: binary64 throughout. Its snap grid of 1/4096 pixel keeps coverage exact in integers and is finer than
-/// any figure can see.
+/// Truth: binary64 throughout. Its snap grid of 1/4096 pixel keeps coverage exact in integers and
+/// is finer than any figure can see.
 struct Ideal64 : RealModel<double> {
     using Depth = double;
     static constexpr Preset preset = Preset::ideal64;

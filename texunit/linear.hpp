@@ -5,8 +5,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// Vectors and matrices in binary64. GLM is used as a container and for + - * / only: its functions that
-/// call libm (perspective, rotate, slerp ...) differ between platforms (docs/exactness.md, section 6).
+/// Vectors and matrices in binary64. GLM is used as a container and for + - * / only: its functions
+/// that call libm (perspective, rotate, slerp ...) differ between platforms (docs/exactness.md,
+/// section 6).
 namespace twofold {
 
 using Vec2 = glm::dvec2;

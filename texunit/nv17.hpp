@@ -6,7 +6,8 @@
 
 namespace twofold {
 
-/// The paper's card (GeForce4 MX, NV17/NV18): the public NV1x vertex arithmetic, then bytes in every stage.
+/// The paper's card (GeForce4 MX, NV17/NV18): the public NV1x vertex arithmetic, then bytes in
+/// every stage.
 struct Nv17 {
     using Vertex = Nv1xArithmetic;
     using Real = double;
@@ -18,11 +19,14 @@ struct Nv17 {
 
     /// Red, green and blue pass through a 22-bit float first, alpha does not.
     static Color<int> vertex_color(const Color<nv1x::Word>& c) {
-        const auto rgb = [](nv1x::Word x) { return nv1x::float_to_byte(nv1x::round_to_22_bits(x)); };
+        const auto rgb = [](nv1x::Word x) {
+            return nv1x::float_to_byte(nv1x::round_to_22_bits(x));
+        };
         return {rgb(c[0]), rgb(c[1]), rgb(c[2]), nv1x::float_to_byte(c[3])};
     }
 
-    /// Weights in 1/256, cut for the first and third vertex; the second takes the rest. Halves round up.
+    /// Weights in 1/256, cut for the first and third vertex; the second takes the rest. Halves
+    /// round up.
     static int iterate_color(const InterpolationWeights<double>& w, int c0, int c1, int c2) {
         const auto [n0, n2] = w.equal_w() ? linear_weights(w) : perspective_weights(w);
         return (n0 * c0 + (256 - n0 - n2) * c1 + n2 * c2 + 128) >> 8;

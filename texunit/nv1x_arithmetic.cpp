@@ -21,7 +21,8 @@ constexpr bool is_nan(Word a) { return exponent_of(a) == 255 && fraction_of(a) !
 constexpr bool is_infinite(Word a) { return (a & 0x7fffffffu) == infinity_word; }
 constexpr bool is_zero(Word a) { return exponent_of(a) == 0; }
 
-/// A word from sign, exponent and 24-bit significand; out of range gives signed zero or the largest number.
+/// A word from sign, exponent and 24-bit significand; out of range gives signed zero or the largest
+/// number.
 constexpr Word compose(Word sign, int exponent, std::uint64_t significand) {
     if (exponent <= 0) return sign;
     if (exponent >= 255) return sign | largest_word;
@@ -35,8 +36,8 @@ constexpr std::array<std::uint64_t, 64> make_reciprocal_seeds() {
     return seeds;
 }
 
-/// floor(128 / sqrt(1 + (i + 1/2) / 64)), then the same with the argument doubled: the largest T with
-/// T^2 x argument <= 128^2.
+/// floor(128 / sqrt(1 + (i + 1/2) / 64)), then the same with the argument doubled: the largest T
+/// with T^2 x argument <= 128^2.
 constexpr std::array<std::uint64_t, 128> make_root_seeds() {
     std::array<std::uint64_t, 128> seeds{};
     for (std::uint64_t i = 0; i < 128; ++i) {
@@ -61,7 +62,8 @@ std::int64_t aligned(Word a, int common_exponent) {
     return sign_of(a) ? -moved : moved;
 }
 
-/// The special cases of sum(): NaN if any term is or if both infinities meet, else the infinity, else 0.
+/// The special cases of sum(): NaN if any term is or if both infinities meet, else the infinity,
+/// else 0.
 Word special_sum(const std::array<Word, 4>& terms) {
     Word infinity = 0;
     for (const Word t : terms) {
@@ -100,7 +102,8 @@ Word sum(Word a, Word b, Word c, Word d) {
     if (total == 0) return 0;
     const Word sign = total < 0 ? 0x80000000u : 0u;
     const auto magnitude = static_cast<std::uint64_t>(total < 0 ? -total : total);
-    const int shift = 31 - std::bit_width(magnitude);  // brings the leading one to bit 30
+    const int shift =
+        31 - static_cast<int>(std::bit_width(magnitude));  // brings the leading one to bit 30
     const std::uint64_t significand = shift >= 0 ? magnitude << shift : magnitude >> -shift;
     return compose(sign, exponent - shift, significand >> 7);
 }
@@ -162,9 +165,7 @@ Nv1xArithmetic::Word Nv1xArithmetic::from_double(double x) {
     return std::bit_cast<Word>(static_cast<float>(x));
 }
 
-double Nv1xArithmetic::to_double(Word x) {
-    return static_cast<double>(std::bit_cast<float>(x));
-}
+double Nv1xArithmetic::to_double(Word x) { return static_cast<double>(std::bit_cast<float>(x)); }
 
 Nv1xArithmetic::Word Nv1xArithmetic::reflect(Word scaled, Word e, bool is_z) {
     if (!is_z) return nv1x::sum(scaled, negate(e));

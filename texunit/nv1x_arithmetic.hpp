@@ -1,19 +1,20 @@
 #pragma once
 #include <cstdint>
 
-/// Vertex arithmetic of the NV1x transform engine on binary32 bit patterns: truncation toward zero, sums of
-/// up to four terms aligned at once, reciprocals from a seed table and two Newton steps. Denormals count as
-/// zero. All in unsigned integers, so every platform computes the same bits.
+/// Vertex arithmetic of the NV1x transform engine on binary32 bit patterns: truncation toward zero,
+/// sums of up to four terms aligned at once, reciprocals from a seed table and two Newton steps.
+/// Denormals count as zero. All in unsigned integers, so every platform computes the same bits.
 /// @source public NV1x model of envytools (nvhw/pgraph_celsius_xfrm.c, nvhw/xf.c), restated
 namespace twofold::nv1x {
 
 using Word = std::uint32_t;
 
-/// Product, cut toward zero. 0 times anything is +0, infinity loses its sign, overflow is the largest
-/// finite number.
+/// Product, cut toward zero. 0 times anything is +0, infinity loses its sign, overflow is the
+/// largest finite number.
 Word mul(Word a, Word b);
 
-/// Sum of four terms in one 32-bit accumulator, cut; not the same as adding in pairs. Unused terms are 0.
+/// Sum of four terms in one 32-bit accumulator, cut; not the same as adding in pairs. Unused terms
+/// are 0.
 Word sum(Word a, Word b, Word c = 0, Word d = 0);
 
 /// 1 / a to 2^-21.2 relative.
@@ -25,7 +26,8 @@ Word clip_reciprocal(Word w);
 /// 1 / sqrt(|a|) to 7.2e-7 relative.
 Word reciprocal_sqrt(Word a);
 
-/// Colour component to byte: cut to 13 fraction bits, times 255, halves up, by sign for NaN and infinity.
+/// Colour component to byte: cut to 13 fraction bits, times 255, halves up, by sign for NaN and
+/// infinity.
 int float_to_byte(Word a);
 
 /// The 22-bit rounding that red, green and blue (not alpha) go through before float_to_byte.
@@ -50,8 +52,8 @@ struct Nv1xArithmetic {
     static Word clip_reciprocal(Word w) { return nv1x::clip_reciprocal(w); }
     static Word reciprocal_sqrt(Word a) { return nv1x::reciprocal_sqrt(a); }
 
-    /// The chip makes r + (0,0,1) for SPHERE_MAP first and takes 1 off again for REFLECTION_MAP, so r_z
-    /// loses its low bits near 0.
+    /// The chip makes r + (0,0,1) for SPHERE_MAP first and takes 1 off again for REFLECTION_MAP, so
+    /// r_z loses its low bits near 0.
     static Word reflect(Word scaled, Word e, bool is_z);
 };
 

@@ -15,7 +15,8 @@ constexpr std::string_view nv2a = "as on NV2A captures";
 constexpr std::array<StageRule, 19> ideal64_rules{{
     {"vertex transform, texgen, texture matrix", "binary64, to nearest", chosen, project},
     {"vertex colour", "binary64, clamped to [0, 1]", spec, "OpenGL 1.3, 2.13.8"},
-    {"snap grid", "12 fraction bits: exact coverage, finer than any figure can see", chosen, project},
+    {"snap grid", "12 fraction bits: exact coverage, finer than any figure can see", chosen,
+     project},
     {"snap origin and bias", "origin 0, bias 1/8192 pixel: to nearest", chosen, project},
     {"fill rule", "pixel centre, top-left", chosen, "OpenGL 1.3, 3.5.1 leaves shared edges open"},
     {"colour iterator", "binary64", chosen, project},
@@ -36,7 +37,8 @@ constexpr std::array<StageRule, 19> ideal64_rules{{
 
 constexpr std::array<StageRule, 19> float32_rules{{
     {"vertex transform, texgen, texture matrix",
-     "binary32, to nearest, one rounding an operation, dot products left to right", chosen, project},
+     "binary32, to nearest, one rounding an operation, dot products left to right", chosen,
+     project},
     {"vertex colour", "binary32, clamped to [0, 1]", spec, "OpenGL 1.3, 2.13.8"},
     {"snap grid", "4 fraction bits", chosen, project},
     {"snap origin and bias", "origin 0, bias 1/32 pixel", chosen, project},
@@ -81,13 +83,15 @@ constexpr std::array<StageRule, 19> gl13_rules{{
 
 constexpr std::array<StageRule, 19> nv17_rules{{
     {"vertex transform, texgen, texture matrix",
-     "binary32 patterns, cut; sums of up to 4 terms at once; reciprocals by table and two Newton steps", spec,
-     nv1x},
+     "binary32 patterns, cut; sums of up to 4 terms at once; reciprocals by table and two Newton "
+     "steps",
+     spec, nv1x},
     {"vertex colour", "byte from 13 fraction bits; r, g, b through 22 bits first", spec, nv1x},
     {"snap grid", "4 fraction bits, cut toward zero", spec, nv1x},
     {"snap origin and bias", "origin 0, bias 1/32 pixel", chosen, project},
     {"fill rule", "pixel centre, top-left", inferred, nv2a},
-    {"colour iterator", "weights of 8 bits, cut; the second vertex takes the rest; halves up", chosen, nv2a},
+    {"colour iterator", "weights of 8 bits, cut; the second vertex takes the rest; halves up",
+     chosen, nv2a},
     {"s, t, q iteration and division", "binary64, one division a coordinate", chosen, project},
     {"texel fetch", "8 bits a channel, as stored", inferred, nv2a},
     {"filter weights", "floor(256 frac(u - 1/2))", chosen, nv2a},
@@ -126,7 +130,8 @@ const PresetTable& table_of(Preset preset) {
 std::string_view name_of(Preset preset) { return table_of(preset).name; }
 
 std::string_view name_of(Mark mark) {
-    static constexpr std::array<std::string_view, 4> names{"spec", "measured", "inferred", "chosen"};
+    static constexpr std::array<std::string_view, 4> names{"spec", "measured", "inferred",
+                                                           "chosen"};
     return names[static_cast<std::size_t>(mark)];
 }
 

@@ -14,9 +14,9 @@ enum class Preset { ideal64, float32, gl13, nv17 };
 inline constexpr std::array all_presets{Preset::ideal64, Preset::float32, Preset::gl13,
                                         Preset::nv17};
 
-/// On what a rule stands: `spec` a public document or model of that chip family states it, `measured` found
-/// exactly on captures of real silicon, `inferred` follows from a neighbouring fact, `chosen` nobody
-/// public says and the project fixed a value. The first two count as sourced.
+/// On what a rule stands: `spec` a public document or model of that chip family states it,
+/// `measured` found exactly on captures of real silicon, `inferred` follows from a neighbouring
+/// fact, `chosen` nobody public says and the project fixed a value. The first two count as sourced.
 enum class Mark { spec, measured, inferred, chosen };
 
 /// What one stage of the pipeline computes under a preset.

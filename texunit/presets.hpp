@@ -12,10 +12,14 @@ namespace twofold {
 template <class F>
 decltype(auto) with_model(Preset preset, F&& f) {
     switch (preset) {
-        case Preset::ideal64: return std::forward<F>(f)(Ideal64{});
-        case Preset::float32: return std::forward<F>(f)(Float32{});
-        case Preset::gl13: return std::forward<F>(f)(Gl13{});
-        case Preset::nv17: break;
+        case Preset::ideal64:
+            return std::forward<F>(f)(Ideal64{});
+        case Preset::float32:
+            return std::forward<F>(f)(Float32{});
+        case Preset::gl13:
+            return std::forward<F>(f)(Gl13{});
+        case Preset::nv17:
+            break;
     }
     return std::forward<F>(f)(Nv17{});
 }

@@ -5,8 +5,8 @@
 
 namespace twofold {
 
-/// The formulas of OpenGL 1.3 in one IEEE format, one rounding an operation. ideal64 and float32 are this
-/// model in their format; gl13 takes its texture units from it.
+/// The formulas of OpenGL 1.3 in one IEEE format, one rounding an operation. ideal64 and float32
+/// are this model in their format; gl13 takes its texture units from it.
 template <class Float>
 struct RealModel {
     using Vertex = IeeeArithmetic<Float>;
@@ -15,7 +15,9 @@ struct RealModel {
     using Pixel = Float;
 
     /// x limited to [0, 1]; NaN gives 0.
-    static Float clamp01(Float x) { return x > Float{0} ? (x < Float{1} ? x : Float{1}) : Float{0}; }
+    static Float clamp01(Float x) {
+        return x > Float{0} ? (x < Float{1} ? x : Float{1}) : Float{0};
+    }
 
     static Color<Float> vertex_color(const Color<Float>& c) {
         return {clamp01(c[0]), clamp01(c[1]), clamp01(c[2]), clamp01(c[3])};

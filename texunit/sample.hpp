@@ -7,8 +7,8 @@
 #include "texunit/texture.hpp"
 #include "texunit/unit_state.hpp"
 
-/// A texture as a preset stores it, and how a texel is found. Addressing is the same for all presets, in the
-/// preset's coordinate format; values come from the preset.
+/// A texture as a preset stores it, and how a texel is found. Addressing is the same for all
+/// presets, in the preset's coordinate format; values come from the preset.
 namespace twofold {
 
 /// A texture image converted once into the preset's channels (OpenGL 1.3, 3.8.1). Rows bottom up.
@@ -37,12 +37,12 @@ struct ProjectiveCoordinates {
     Real s, t, q;
 };
 
-/// Texels beyond this distance from the origin are all the same texel (T03, T05): coordinates stop here
-/// before they become integers.
+/// Texels beyond this distance from the origin are all the same texel (T03, T05): coordinates stop
+/// here before they become integers.
 inline constexpr int farthest_texel = 1 << 15;
 
-/// numerator x size / q in texels, with a single division: an exact integer stays one. q = 0 and results that
-/// are not numbers give 0 (T02).
+/// numerator x size / q in texels, with a single division: an exact integer stays one. q = 0 and
+/// results that are not numbers give 0 (T02).
 template <class Real>
 Real texel_coordinate(Real numerator, Real q, int size) {
     const Real u = numerator * static_cast<Real>(size) / q;
@@ -58,10 +58,14 @@ Real limit_coordinate(Real u, int size, Wrap wrap) {
     constexpr Real half{0.5};
     const auto within = [u](Real lo, Real hi) { return u < lo ? lo : (u > hi ? hi : u); };
     switch (wrap) {
-        case Wrap::repeat: return u - n * std::floor(u / n);
-        case Wrap::clamp: return within(Real{0}, n);
-        case Wrap::clamp_to_edge: return within(half, n - half);
-        case Wrap::clamp_to_border: break;
+        case Wrap::repeat:
+            return u - n * std::floor(u / n);
+        case Wrap::clamp:
+            return within(Real{0}, n);
+        case Wrap::clamp_to_edge:
+            return within(half, n - half);
+        case Wrap::clamp_to_border:
+            break;
     }
     return within(-half, n + half);
 }

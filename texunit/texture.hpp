@@ -16,8 +16,8 @@ struct Rgba8 {
 /// One texel of binary32 channels r, g, b, a; never premultiplied.
 using Rgba32f = std::array<float, 4>;
 
-/// A two-dimensional texture image. Rows are bottom up, as OpenGL's TexImage2D takes them: texel (0, 0)
-/// is at s = t = 0 and texel (i, j) is stored at j * width + i.
+/// A two-dimensional texture image. Rows are bottom up, as OpenGL's TexImage2D takes them: texel
+/// (0, 0) is at s = t = 0 and texel (i, j) is stored at j * width + i.
 struct Texture {
     int width = 0;
     int height = 0;

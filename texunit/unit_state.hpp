@@ -17,10 +17,11 @@ enum class Wrap { repeat, clamp, clamp_to_edge, clamp_to_border };
 /// One filter for magnification and minification: without mipmaps both are the same choice.
 enum class Filter { nearest, linear };
 
-/// A texture unit that is switched on. Its environment is MODULATE: the incoming colour times the texel,
-/// each channel with each (base format RGBA), then times RGB_SCALE.
+/// A texture unit that is switched on. Its environment is MODULATE: the incoming colour times the
+/// texel, each channel with each (base format RGBA), then times RGB_SCALE.
 struct TextureUnitState {
-    std::optional<std::size_t> texture;  ///< index into the frame's textures; none reads as white (T11)
+    std::optional<std::size_t>
+        texture;  ///< index into the frame's textures; none reads as white (T11)
     TexGen texgen = TexGen::none;
     Mat4 matrix{1.0};  ///< texture matrix, applied to generated coordinates too
     Wrap wrap_s = Wrap::clamp_to_edge;

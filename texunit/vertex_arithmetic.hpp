@@ -3,8 +3,8 @@
 
 namespace twofold {
 
-/// The operations of the vertex stage in an IEEE format: each is rounded once, to nearest, and sums run left
-/// to right. Nv1xArithmetic has the same operations with that chip's rounding.
+/// The operations of the vertex stage in an IEEE format: each is rounded once, to nearest, and sums
+/// run left to right. Nv1xArithmetic has the same operations with that chip's rounding.
 template <class Float>
 struct IeeeArithmetic {
     using Word = Float;

@@ -1,0 +1,94 @@
+#include "raster/clip.hpp"
+
+#include <cmath>
+
+namespace twofold {
+namespace {
+
+/// Smallest w that is drawn: keeps 1/w and everything divided by it finite. @source chosen
+constexpr double smallest_w = 1.0 / (1 << 30);
+
+/// Signed distances of a vertex from the seven planes; inside is >= 0.
+std::array<double, 7> distances(const Vec4& c, const Viewport& view) {
+    const double x = c.x + view.offset.x * c.w, y = c.y + view.offset.y * c.w;
+    const double z = c.z + view.offset.z * c.w;
+    return {z,
+            c.w - z,
+            c.w - smallest_w,
+            guard_band * c.w + x,
+            guard_band * c.w - x,
+            guard_band * c.w + y,
+            guard_band * c.w - y};
+}
+
+/// Signed distances from the window's four sides, one pixel outside them: a triangle beyond one
+/// side is not worth setting up. Sides only reject; coverage cuts at the window's edge exactly.
+std::array<double, 4> side_distances(const Vec4& c, const Viewport& view) {
+    const double x = c.x + view.offset.x * c.w, y = c.y + view.offset.y * c.w;
+    const double width = 2.0 * std::fabs(view.scale.x), height = 2.0 * std::fabs(view.scale.y);
+    return {c.w + x, (width + 1.0) * c.w - x, c.w + y, (height + 1.0) * c.w - y};
+}
+
+bool outside_one_side(const std::array<ClipVertex, 3>& triangle, const Viewport& view) {
+    const auto a = side_distances(triangle[0].clip, view);
+    const auto b = side_distances(triangle[1].clip, view);
+    const auto c = side_distances(triangle[2].clip, view);
+    for (std::size_t side = 0; side < 4; ++side)
+        if (a[side] < 0.0 && b[side] < 0.0 && c[side] < 0.0) return true;
+    return false;
+}
+
+bool usable(const Vec4& c) {
+    for (int k = 0; k < 4; ++k)
+        if (!(c[k] >= -largest_clip_coordinate && c[k] <= largest_clip_coordinate)) return false;
+    return true;
+}
+
+ClipVertex between(const ClipVertex& inside, const ClipVertex& outside, double t) {
+    ClipVertex v;
+    v.clip = inside.clip + t * (outside.clip - inside.clip);
+    v.color = inside.color + t * (outside.color - inside.color);
+    for (std::size_t u = 0; u < 2; ++u)
+        v.coords[u] = inside.coords[u] + t * (outside.coords[u] - inside.coords[u]);
+    return v;
+}
+
+/// Sutherland and Hodgman's step: the part of the polygon inside one plane.
+ClippedPolygon cut(const ClippedPolygon& in, std::size_t plane, const Viewport& view) {
+    ClippedPolygon out;
+    for (std::size_t i = 0; i < in.size; ++i) {
+        const ClipVertex& a = in.vertices[i];
+        const ClipVertex& b = in.vertices[(i + 1) % in.size];
+        const double da = distances(a.clip, view)[plane], db = distances(b.clip, view)[plane];
+        if (da >= 0.0) out.vertices[out.size++] = a;
+        if (da >= 0.0 && db < 0.0) out.vertices[out.size++] = between(a, b, da / (da - db));
+        if (da < 0.0 && db >= 0.0) out.vertices[out.size++] = between(b, a, db / (db - da));
+    }
+    return out;
+}
+
+}  // namespace
+
+ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& view) {
+    ClippedPolygon polygon{ClipResult::inside, 3, {triangle[0], triangle[1], triangle[2]}};
+    std::array<std::array<double, 7>, 3> d;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!usable(triangle[k].clip)) return {ClipResult::not_finite, 0, {}};
+        d[k] = distances(triangle[k].clip, view);
+    }
+    if (outside_one_side(triangle, view)) return {ClipResult::rejected, 0, {}};
+    for (std::size_t plane = 0; plane < 7; ++plane) {
+        const int outside = (d[0][plane] < 0.0) + (d[1][plane] < 0.0) + (d[2][plane] < 0.0);
+        if (outside == 3) return {ClipResult::rejected, 0, {}};
+        if (outside > 0) polygon.result = ClipResult::cut;
+    }
+    if (polygon.result == ClipResult::inside) return polygon;
+    for (std::size_t plane = 0; plane < 7; ++plane) {
+        if (polygon.size < 3) return {ClipResult::rejected, 0, {}};
+        polygon = cut(polygon, plane, view);
+    }
+    polygon.result = polygon.size < 3 ? ClipResult::rejected : ClipResult::cut;
+    return polygon;
+}
+
+}  // namespace twofold

@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "raster/vertex.hpp"
+
+namespace twofold {
+
+/// Window coordinates reach this far (pixels) in every direction; 2^15 with up to 12 snap bits
+/// keeps edge functions exact in 64 bits.
+inline constexpr double guard_band = 32768.0;
+
+/// Vertices beyond this magnitude, in any clip coordinate, make their triangle unusable (R13).
+inline constexpr double largest_clip_coordinate = 18446744073709551616.0;  // 2^64
+
+enum class ClipResult {
+    inside,     ///< no plane cuts the triangle
+    cut,        ///< the polygon is what remains
+    rejected,   ///< all of it lies outside one plane, or nothing remains
+    not_finite  ///< a vertex is NaN, infinite or beyond largest_clip_coordinate
+};
+
+/// A convex polygon: a triangle cut by seven planes has at most ten corners.
+struct ClippedPolygon {
+    ClipResult result = ClipResult::rejected;
+    std::size_t size = 0;
+    std::array<ClipVertex, 10> vertices;
+};
+
+/// Clips in homogeneous space, before the division: against depth 0 and 1, w > 0 and the guard band
+/// (not the window, whose edges coverage handles exactly). A new vertex is computed from its edge's
+/// inside end to its outside end, so two triangles that share the edge get the same vertex (R08).
+ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& viewport);
+
+}  // namespace twofold

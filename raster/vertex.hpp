@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "texunit/linear.hpp"
+#include "texunit/numeric_model.hpp"
+
+namespace twofold {
+
+/// A vertex behind the vertex stage, before clipping. Held in binary64 whatever the preset: every
+/// number of a narrower format is exact in it, so clipping is written once.
+struct ClipVertex {
+    /// x, y, z, w with the viewport's scale already applied to x, y, z: x / w + offset is in
+    /// pixels.
+    Vec4 clip;
+    Vec4 color;                  ///< r, g, b, a before any clamp
+    std::array<Vec4, 2> coords;  ///< s, t, r, q of each unit behind its texture matrix
+};
+
+/// A vertex in the window: what set-up and interpolation need, in the preset's formats.
+template <NumericModel M>
+struct WindowVertex {
+    std::int64_t x, y;  ///< in units of 1 / 2^snap.fraction_bits pixel, y down
+    double z;           ///< window depth, 0 near to 1 far
+    typename M::Real inverse_w;
+    Color<typename M::Channel> color;
+    /// s, t, q of each unit over w: linear in the window.
+    std::array<std::array<typename M::Real, 3>, 2> coords;
+};
+
+/// Window x, y, z = clip x, y, z / w + offset. The snap bias is part of the offset.
+struct Viewport {
+    Vec3 scale;   ///< folded into the projection
+    Vec3 offset;  ///< pixels; z in 0..1
+};
+
+/// The viewport of a picture of width x height pixels with y down and depth range [0, 1].
+constexpr Viewport viewport_of(int width, int height, SnapRule snap) {
+    return {Vec3{0.5 * width, -0.5 * height, 0.5},
+            Vec3{0.5 * width + snap.bias, 0.5 * height + snap.bias, 0.5}};
+}
+
+}  // namespace twofold

@@ -1,0 +1,30 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "raster/pass.hpp"
+
+namespace twofold {
+
+/// What is seen through one pixel centre: a triangle of a pass's mesh and the perspective-correct
+/// weights of its three vertices.
+struct SurfacePoint {
+    std::uint32_t pass;             ///< index into the frame's passes
+    std::uint32_t triangle;         ///< of that pass's mesh
+    std::array<double, 3> weights;  ///< >= 0, they sum to 1
+};
+
+struct VisibleSurface {
+    int width = 0;
+    int height = 0;
+    std::vector<std::int32_t>
+        point_of_pixel;                ///< rows top down; index into points, -1 = background
+    std::vector<SurfacePoint> points;  ///< in pixel order
+};
+
+/// The nearest surface at each pixel centre, by ideal64's coverage and depth, whatever the passes'
+/// tests, textures and blending are; of equal depths the first wins. Culling is kept.
+VisibleSurface visible_surface(const Frame& frame);
+
+}  // namespace twofold
