@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "factor/brdf.hpp"
+#include "factor/environment.hpp"
 #include "factor/settings.hpp"
 #include "raster/pass.hpp"
 #include "texunit/preset.hpp"
@@ -36,23 +37,12 @@ struct LatLongFile {
     bool repair = false;  ///< texels that are not finite become 0 and are counted, instead of an error
 };
 
-struct DiscLight {
-    Vec3 direction;             ///< towards the centre of the disc
-    double half_angle_degrees;  ///< of the cone that the disc fills
-    Rgb radiance;
-};
-
-/// Area lights painted onto a constant background, rendered to a latitude-longitude picture.
-struct PaintedEnvironment {
-    Rgb background{0.0};
-    std::vector<DiscLight> lights;
+/// Area lights painted onto a constant background (types of factor/environment.hpp), rendered to a
+/// latitude-longitude picture of this size.
+struct PaintedLatLong {
+    PaintedEnvironment environment;
     int width = 512;
     int height = 256;
-};
-
-struct DirectionalLight {
-    Vec3 direction;  ///< towards the light
-    Rgb irradiance;  ///< on a surface that faces it
 };
 
 struct DirectionalLights {
@@ -60,7 +50,7 @@ struct DirectionalLights {
 };
 
 struct EnvironmentSpec {
-    std::variant<LatLongFile, PaintedEnvironment, DirectionalLights> source;
+    std::variant<LatLongFile, PaintedLatLong, DirectionalLights> source;
     int cells = 8192;  ///< the picture is averaged to at most so many lights; no effect on directional ones
 };
 
