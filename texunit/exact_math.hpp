@@ -7,9 +7,9 @@
 
 /// Elementary functions made of + - * /, sqrt, fabs and bit moves only, so that they give the same
 /// bits on every platform; the C library's do not (docs/exactness.md, section 4). "ulp" is a unit
-/// in the last place of the correct result; every bound below was found against MPFR and is asserted
-/// by tests/texunit/exact_math_test.cpp. `exp` and `log` are inline and free of branches, so that
-/// loops over them become vectors; a vector gives the same bits as a scalar.
+/// in the last place of the correct result; every bound below was found against MPFR and is
+/// asserted by tests/texunit/exact_math_test.cpp. `exp` and `log` are inline and free of branches,
+/// so that loops over them become vectors; a vector gives the same bits as a scalar.
 namespace twofold::exact {
 
 /// The double next to the ratio of a circle's circumference to its diameter.
