@@ -1,0 +1,107 @@
+#include "factor/fit_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "texunit/exact_math.hpp"
+#include "texunit/fixed.hpp"
+#include "texunit/ordered_sum.hpp"
+
+namespace twofold {
+
+namespace {
+
+/// Logarithms and relative errors take no value for smaller than this share of the mean.
+constexpr double floor_share = 1e-3;
+
+/// Products and radiance of the pairs that count.
+struct Compared {
+    std::vector<double> product;
+    std::vector<double> radiance;
+};
+
+Compared compare(std::span<const double> t1, std::span<const double> t2, double scale,
+                 std::span<const PairFootprint> pairs, std::span<const double> radiance) {
+    Compared compared;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!std::isfinite(radiance[i])) continue;
+        compared.product.push_back(scale * filtered(t1, pairs[i].first) *
+                                   filtered(t2, pairs[i].second));
+        compared.radiance.push_back(max(radiance[i], 0.0));
+    }
+    return compared;
+}
+
+std::vector<double> as_bytes(std::span<const double> texels) {
+    std::vector<double> stored(texels.size());
+    for (std::size_t j = 0; j < texels.size(); ++j) stored[j] = to_byte(texels[j]) / 255.0;
+    return stored;
+}
+
+double relative_rms_of(const Compared& c) {
+    const double error = ordered_sum(c.product.size(), [&](std::size_t i) {
+        const double difference = c.product[i] - c.radiance[i];
+        return difference * difference;
+    });
+    const double square = ordered_sum(c.radiance.size(),
+                                      [&](std::size_t i) { return c.radiance[i] * c.radiance[i]; });
+    return square > 0.0 ? std::sqrt(error / square) : 0.0;
+}
+
+double log_rms_of(const Compared& c, double floor) {
+    const double sum = ordered_sum(c.product.size(), [&](std::size_t i) {
+        const double ratio = exact::log(max(c.product[i], floor) / max(c.radiance[i], floor));
+        return ratio * ratio;
+    });
+    return std::sqrt(sum / static_cast<double>(c.product.size()));
+}
+
+std::vector<double> sorted_relative_errors(const Compared& c, double floor) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < c.product.size(); ++i) {
+        if (c.radiance[i] < floor) continue;
+        errors.push_back(std::fabs(c.product[i] - c.radiance[i]) / c.radiance[i]);
+    }
+    std::stable_sort(errors.begin(), errors.end());
+    return errors;
+}
+
+/// The value that at least `percent` of a hundred do not exceed.
+double nearest_rank(std::span<const double> sorted, std::size_t percent) {
+    return sorted[(percent * sorted.size() + 99) / 100 - 1];
+}
+
+}  // namespace
+
+std::vector<PairFootprint> footprints_of(std::span<const SurfaceView> at, const MapShape& shape) {
+    std::vector<PairFootprint> footprints;
+    footprints.reserve(at.size());
+    for (const SurfaceView& pair : at) {
+        footprints.push_back({footprint_of(pi_1(pair), shape), footprint_of(pi_2(pair), shape)});
+    }
+    return footprints;
+}
+
+FitError fit_error(const NormalisedChannel& t1, const NormalisedChannel& t2, double scale,
+                   std::span<const PairFootprint> pairs, std::span<const double> radiance) {
+    const Compared c = compare(t1.texel, t2.texel, scale, pairs, radiance);
+    const double sum = ordered_sum(c.radiance.size(), [&](std::size_t i) { return c.radiance[i]; });
+    if (!(sum > 0.0)) return {};
+    const double floor = floor_share * sum / static_cast<double>(c.radiance.size());
+    const std::vector<double> errors = sorted_relative_errors(c, floor);
+    return {.relative_rms = relative_rms_of(c),
+            .byte_rms = relative_rms_of(
+                compare(as_bytes(t1.texel), as_bytes(t2.texel), scale, pairs, radiance)),
+            .log_rms = log_rms_of(c, floor),
+            .median = nearest_rank(errors, 50),
+            .p95 = nearest_rank(errors, 95)};
+}
+
+std::vector<double> channel_of(std::span<const Rgb> radiance, int channel) {
+    std::vector<double> values;
+    values.reserve(radiance.size());
+    for (const Rgb& rgb : radiance) values.push_back(rgb[channel]);
+    return values;
+}
+
+}  // namespace twofold

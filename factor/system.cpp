@@ -1,0 +1,230 @@
+#include "factor/system.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "factor/vector_arithmetic.hpp"
+#include "texunit/error.hpp"
+#include "texunit/exact_math.hpp"
+#include "texunit/fixed.hpp"
+#include "texunit/ordered_sum.hpp"
+
+namespace twofold {
+
+namespace {
+
+/// The four entries of a footprint, scaled, in the columns of map 1 or 2.
+void put_footprint(std::span<MatrixEntry> row, const TexelFootprint& footprint,
+                   std::size_t first_column, double scale) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        row[k] = {static_cast<std::uint32_t>(first_column) + footprint.index[k],
+                  scale * footprint.weight[k]};
+    }
+}
+
+void add_sample_rows(RowBuilder& builder, std::span<const SurfaceView> at, const MapShape& shape) {
+    for (const SurfaceView& pair : at) {
+        std::array<MatrixEntry, 8> row;
+        put_footprint(std::span(row).first(4), footprint_of(pi_1(pair), shape), 0, 1.0);
+        put_footprint(std::span(row).last(4), footprint_of(pi_2(pair), shape), shape.texels(), 1.0);
+        builder.add(row);
+    }
+}
+
+/// scale (x_j - mean of the neighbours in the face) = 0.
+void add_smoothness_row(RowBuilder& builder, std::size_t index, const MapShape& shape,
+                        std::size_t first_column, double scale) {
+    const ParaboloidTexel texel = texel_at(index, shape);
+    const auto column = [&](int x, int y) {
+        return static_cast<std::uint32_t>(first_column) + texel_index({texel.face, x, y}, shape);
+    };
+    std::array<MatrixEntry, 5> row;
+    std::size_t count = 0;
+    row[count++] = {column(texel.x, texel.y), scale};
+    if (texel.x > 0) row[count++].column = column(texel.x - 1, texel.y);
+    if (texel.x + 1 < shape.size) row[count++].column = column(texel.x + 1, texel.y);
+    if (texel.y > 0) row[count++].column = column(texel.x, texel.y - 1);
+    if (texel.y + 1 < shape.size) row[count++].column = column(texel.x, texel.y + 1);
+    for (std::size_t k = 1; k < count; ++k) row[k].value = -scale / static_cast<double>(count - 1);
+    builder.add(std::span(row).first(count));
+}
+
+/// scale (x_j - the other face's value in the direction of j) = 0, for texels beyond the rim.
+void add_seam_row(RowBuilder& builder, std::size_t index, const MapShape& shape,
+                  std::size_t first_column, double scale) {
+    const ParaboloidTexel texel = texel_at(index, shape);
+    if (texel_radius(texel.x, texel.y, shape.size, shape.guard) <= 1.0) return;
+    const Vec3 d = texel_direction(texel, shape.size, shape.guard);
+    std::array<MatrixEntry, 5> row;
+    row[0] = {static_cast<std::uint32_t>(first_column + index), scale};
+    put_footprint(std::span(row).last(4), footprint_of(d, shape), first_column, -scale);
+    builder.add(row);
+}
+
+template <class AddRow>
+void add_rows_of_both_maps(const MapShape& shape, double scale, const AddRow& add_row) {
+    if (scale == 0.0) return;
+    for (std::size_t map = 0; map < 2; ++map) {
+        for (std::size_t j = 0; j < shape.texels(); ++j) add_row(j, map * shape.texels(), scale);
+    }
+}
+
+/// Radiance after the cap, negative values as 0.
+double lowered(double radiance, double cap) { return min(max(radiance, 0.0), cap); }
+
+double mean_of_finite(std::span<const double> radiance, double cap, std::size_t finite) {
+    const double sum = ordered_sum(radiance.size(), [&](std::size_t i) {
+        return std::isfinite(radiance[i]) ? lowered(radiance[i], cap) : 0.0;
+    });
+    return sum / static_cast<double>(finite);
+}
+
+void count_sample(TreatedSamples& treated, double radiance, double floor, double cap) {
+    if (!std::isfinite(radiance)) {
+        ++treated.non_finite;
+        return;
+    }
+    ++treated.used;
+    if (radiance < 0.0) {
+        ++treated.negative;
+    } else if (radiance == 0.0) {
+        ++treated.zero;
+    } else if (radiance < floor) {
+        ++treated.floored;
+    } else if (radiance > cap) {
+        ++treated.capped;
+    }
+}
+
+std::size_t count_finite(std::span<const double> radiance) {
+    std::size_t finite = 0;
+    for (const double value : radiance) finite += std::isfinite(value) ? 1U : 0U;
+    return finite;
+}
+
+double mean_of(std::span<const double> values) {
+    const double sum = ordered_sum(values.size(), [&](std::size_t i) { return values[i]; });
+    return sum / static_cast<double>(values.size());
+}
+
+/// D (1; -1) of unit length.
+Vector gauge_direction(const Vector& column_scale) {
+    Vector gauge = column_scale;
+    for (std::size_t j = gauge.size() / 2; j < gauge.size(); ++j) gauge[j] = -gauge[j];
+    return divided(gauge, norm(gauge));
+}
+
+}  // namespace
+
+LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings) {
+    const MapShape shape{settings.map_size, settings.guard};
+    const auto texels = static_cast<double>(shape.texels());
+    const double scale = settings.smoothness * std::sqrt(static_cast<double>(at.size()) / texels);
+    // The seam rows are scaled from the same k; where there is no smoothness they stand by
+    // themselves.
+    const double seam_base =
+        settings.smoothness > 0.0 ? scale : std::sqrt(static_cast<double>(at.size()) / texels);
+    RowBuilder builder;
+    add_sample_rows(builder, at, shape);
+    add_rows_of_both_maps(shape, scale, [&](std::size_t j, std::size_t first, double k) {
+        add_smoothness_row(builder, j, shape, first, k);
+    });
+    add_rows_of_both_maps(shape, settings.seam * seam_base,
+                          [&](std::size_t j, std::size_t first, double k) {
+                              add_seam_row(builder, j, shape, first, k);
+                          });
+    return {builder.build(2 * shape.texels()), at.size(), shape};
+}
+
+ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
+                         const FactorSettings& settings, double white) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double cap = settings.cap * white > 0.0 ? settings.cap * white : infinity;
+    const std::size_t finite = count_finite(radiance);
+    if (finite == 0) throw Error(ExitCode::failure, "factor: no sample is finite");
+
+    ChannelRows channel{Vector(rows.matrix.rows(), 0.0),
+                        Vector(rows.matrix.rows(), 1.0),
+                        {},
+                        mean_of_finite(radiance, cap, finite)};
+    const double floor = settings.floor * channel.mean;
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        count_sample(channel.treated, radiance[i], floor, cap);
+        if (!std::isfinite(radiance[i])) {
+            channel.weight[i] = 0.0;
+        } else if (!channel.black()) {
+            const double treated = max(lowered(radiance[i], cap), floor);
+            channel.right_side[i] = exact::log(treated);
+            channel.weight[i] = exact::pow(treated / channel.mean, settings.row_weight);
+        }
+    }
+    return channel;
+}
+
+Vector balanced(Vector x) {
+    const std::size_t half = x.size() / 2;
+    const double first = mean_of(std::span(x).first(half));
+    const double second = mean_of(std::span(x).last(half));
+    const double shift = 0.5 * (first - second);
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] += j < half ? -shift : shift;
+    return x;
+}
+
+WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right, bool column_scaling,
+                               int threads)
+    : left_(left),
+      right_(right),
+      threads_(threads),
+      column_scale_(left.matrix.column_norms(right.weight, threads)) {
+    const double largest = largest_magnitude(column_scale_);
+    magnitude_ = column_scaling ? 1.0 : largest * largest;
+    for (double& scale : column_scale_) scale = column_scaling && scale > 0.0 ? scale : 1.0;
+    gauge_ = gauge_direction(column_scale_);
+}
+
+Vector WeightedSystem::apply(const Vector& y) const {
+    Vector product = left_.matrix.multiply(unknowns(y), threads_);
+    for (std::size_t i = 0; i < product.size(); ++i) product[i] *= right_.weight[i];
+    return product;
+}
+
+Vector WeightedSystem::apply_transpose(const Vector& r) const {
+    Vector weighted(r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) weighted[i] = right_.weight[i] * r[i];
+    const Vector product = unknowns(left_.matrix.multiply_transpose(weighted, threads_));
+    return plus_scaled(product, -dot(gauge_, product), gauge_);
+}
+
+Vector WeightedSystem::right_side() const {
+    Vector weighted(right_.right_side.size());
+    for (std::size_t i = 0; i < weighted.size(); ++i) {
+        weighted[i] = right_.weight[i] * right_.right_side[i];
+    }
+    return weighted;
+}
+
+Vector WeightedSystem::scaled_unknowns(const Vector& x) const {
+    Vector y(x.size());
+    for (std::size_t j = 0; j < x.size(); ++j) y[j] = column_scale_[j] * x[j];
+    return y;
+}
+
+Vector WeightedSystem::unknowns(const Vector& y) const {
+    Vector x(y.size());
+    for (std::size_t j = 0; j < y.size(); ++j) x[j] = y[j] / column_scale_[j];
+    return x;
+}
+
+RectangularOperator WeightedSystem::least_squares() const {
+    return {[this](const Vector& y) { return apply(y); },
+            [this](const Vector& r) { return apply_transpose(r); }};
+}
+
+SquareOperator WeightedSystem::normal_equations() const {
+    const auto product = [this](const Vector& y) { return apply_transpose(apply(y)); };
+    return {product, product, magnitude_, true};
+}
+
+}  // namespace twofold

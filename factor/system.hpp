@@ -1,0 +1,88 @@
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "factor/parametrization.hpp"
+#include "factor/samples.hpp"
+#include "factor/settings.hpp"
+#include "factor/solver.hpp"
+#include "factor/sparse_matrix.hpp"
+
+/// The linear system of the logarithms, [A1 A2] (log t1; log t2) = log L. The unknowns are the
+/// texels of map 1, then those of map 2. The left side depends on the directions alone and serves
+/// the three channels; each channel has its own right side and row weights.
+/// @source seed paper, equation 7 (its equation 6 prints a product where the logarithm gives a sum)
+namespace twofold {
+
+/// The left side. Rows: one a sample (four weights at pi_1, four at pi_2), then the smoothness rows
+/// of both maps, then their seam rows.
+struct LogRows {
+    SparseMatrix matrix;
+    std::size_t samples;  ///< S, the number of sample rows
+    MapShape shape;
+};
+
+/// Builds the left side. With k = smoothness sqrt(S / 2R^2) the row of texel j says k (x_j - mean
+/// of its neighbours, 2 to 4 in its face) = 0; with seam k in place of k the row of a texel beyond
+/// the rim says that it equals the other face's filtered value in its direction.
+/// @param settings map_size, guard, smoothness and seam are used
+LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings);
+
+/// What became of a channel's samples; each sample is counted once, under the first that applies.
+struct TreatedSamples {
+    std::size_t used = 0;        ///< all but the non-finite
+    std::size_t non_finite = 0;  ///< left out
+    std::size_t negative = 0;    ///< raised to the floor
+    std::size_t zero = 0;        ///< raised to the floor
+    std::size_t floored = 0;     ///< above 0 and raised to the floor
+    std::size_t capped = 0;      ///< lowered to the cap
+};
+
+/// The right side of a channel.
+struct ChannelRows {
+    Vector right_side;  ///< log of the treated radiance; 0 for left-out samples and other rows
+    Vector weight;      ///< row weights; 0 for left-out samples, 1 for the rows after the samples
+    TreatedSamples treated;
+    double mean = 0.0;  ///< Lmean: of the used samples, negative ones as 0, after the cap
+    bool black() const { return mean == 0.0; }  ///< no sample above 0: no logarithm was taken
+};
+
+/// Builds the right side log max(min(L, cap white), floor Lmean) and the row weights
+/// (the same / Lmean)^row_weight.
+/// @param radiance one value a sample
+/// @param white radiance of the picture's white; a cap of 0 takes none
+/// @throws Error if no sample is finite
+ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
+                         const FactorSettings& settings, double white);
+
+/// Takes the mean of map 1 and of map 2 to the same value without changing their sum at any sample:
+/// the gauge of the factors, t1 c and t2 / c being the same product.
+Vector balanced(Vector x);
+
+/// The weighted system of a channel, B = diag(weight) A D^-1 with D_j the norm of column j of the
+/// weighted matrix (1 without column scaling and for empty columns), in unknowns D x. What the
+/// gauge direction D (1; -1) would collect of rounding is projected out of every product with B^T.
+/// Refers to the two it is made of.
+class WeightedSystem {
+  public:
+    WeightedSystem(const LogRows& left, const ChannelRows& right, bool column_scaling, int threads);
+
+    Vector apply(const Vector& y) const;            ///< B y
+    Vector apply_transpose(const Vector& r) const;  ///< B^T r
+    Vector right_side() const;                      ///< diag(weight) b
+    Vector scaled_unknowns(const Vector& x) const;  ///< D x
+    Vector unknowns(const Vector& y) const;         ///< D^-1 y
+
+    RectangularOperator least_squares() const;  ///< B, for LSMR
+    SquareOperator normal_equations() const;    ///< B^T B, for QMR
+
+  private:
+    const LogRows& left_;
+    const ChannelRows& right_;
+    int threads_;
+    Vector column_scale_;  ///< D
+    Vector gauge_;         ///< D (1; -1), of unit length
+    double magnitude_;     ///< largest diagonal entry of B^T B
+};
+
+}  // namespace twofold
