@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "raster/mesh.hpp"
+#include "scenes/mesh_file.hpp"
+#include "scenes/scene.hpp"
+#include "texunit/texture.hpp"
+
+namespace twofold {
+
+/// What a scene names and files hold: loaded once, whatever the presets.
+struct SceneAssets {
+    std::map<std::string, Mesh> meshes;
+    std::map<std::string, MeshReport> mesh_reports;
+    std::map<std::string, Texture> textures;
+};
+
+/// Loads or makes the scene's meshes and textures.
+/// @throws Error naming the file that cannot be used
+SceneAssets load_assets(const Scene& scene);
+
+/// A picture, rows top down, as a texture image, rows bottom up.
+Texture texture_of(const ByteImage& image);
+
+/// A chequered texture; field (0, 0) is at s = t = 0.
+Texture checkerboard(const Checkerboard& spec);
+
+}  // namespace twofold

@@ -1,0 +1,145 @@
+#include "scenes/frame.hpp"
+
+#include <glm/matrix.hpp>
+
+#include "scenes/camera.hpp"
+#include "texunit/error.hpp"
+#include "texunit/paraboloid.hpp"
+
+namespace twofold {
+namespace {
+
+/// Where the meshes and textures of a scene went in the frame.
+struct FrameBuilder {
+    const Scene& scene;
+    Frame frame;
+    std::map<std::string, std::size_t> meshes;
+    std::map<std::string, std::size_t> textures;
+    Mat4 view, projection;
+};
+
+FrameBuilder start(const Scene& scene, const SceneAssets& assets) {
+    const ImageSpec& image = scene.image;
+    const double aspect = image.height > 0 ? static_cast<double>(image.width) / image.height : 1.0;
+    FrameBuilder b{
+        scene, {}, {}, {}, view_matrix(scene.camera), projection_matrix(scene.camera, aspect)};
+    b.frame.width = image.width;
+    b.frame.height = image.height;
+    b.frame.clear_color = Vec4{image.background, 0.0};
+    for (const auto& [name, mesh] : assets.meshes) {
+        b.meshes.emplace(name, b.frame.meshes.size());
+        b.frame.meshes.push_back(mesh);
+    }
+    for (const auto& [name, texture] : assets.textures) {
+        b.textures.emplace(name, b.frame.textures.size());
+        b.frame.textures.push_back(texture);
+    }
+    return b;
+}
+
+PassState object_state(const FrameBuilder& b, const FactoredObject& object) {
+    PassState state;
+    state.modelview = b.view * model_matrix(object);
+    state.projection = b.projection;
+    state.normalize = object.scale != 1.0;
+    state.cull = CullFace::back;
+    state.depth_test = DepthTest{CompareFunc::lequal, true};
+    return state;
+}
+
+/// Adds the four images of a material's factors; the result is the index of t1's front, followed by
+/// t1's back, t2's front and t2's back.
+std::size_t add_factor_textures(Frame& frame, const FactoredLighting& lighting, bool as_float) {
+    const std::size_t first = frame.textures.size();
+    for (const FactorMap* map : {&lighting.t1, &lighting.t2})
+        for (std::size_t face = 0; face < 2; ++face)
+            frame.textures.push_back(as_float ? map->real[face] : map->bytes[face]);
+    return first;
+}
+
+/// A unit that looks a factor up on one face. Its vector arrives in eye space: the inverse of the
+/// view's rotation takes it back to the world.
+TextureUnitState factor_unit(const FrameBuilder& b, TexGen texgen, std::size_t texture, Face face) {
+    TextureUnitState unit;
+    unit.texture = texture;
+    unit.texgen = texgen;
+    unit.matrix =
+        paraboloid_matrix(face, b.scene.factorization.guard) * Mat4{glm::transpose(Mat3{b.view})};
+    return unit;
+}
+
+/// The four passes of the paper: every pixel's n and r_v lie on one face each; the alpha test keeps
+/// the pass that has both.
+void add_four_passes(FrameBuilder& b, const FactoredObject& object,
+                     const FactoredLighting& lighting, std::size_t textures) {
+    PassState state = object_state(b, object);
+    state.color = Vec4{lighting.scale_color, 1.0};
+    state.alpha_test = AlphaTest{CompareFunc::gequal, 0.5};
+    constexpr std::array faces{Face::front, Face::back};
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j) {
+            state.units[0] = factor_unit(b, TexGen::normal_map, textures + i, faces[i]);
+            state.units[1] = factor_unit(b, TexGen::reflection_map, textures + 2 + j, faces[j]);
+            state.units[1]->rgb_scale = lighting.combiner_scale;
+            b.frame.passes.push_back({state, b.meshes.at(object.mesh)});
+        }
+}
+
+/// Doubles what the object shows: C = 1 x Cd + Cd, where the scale exceeds what the combiner can
+/// do.
+void add_doubling_pass(FrameBuilder& b, const FactoredObject& object) {
+    PassState state = object_state(b, object);
+    state.depth_test = DepthTest{CompareFunc::equal, false};
+    state.blend = Blend{BlendFactor::dst_color, BlendFactor::one};
+    b.frame.passes.push_back({state, b.meshes.at(object.mesh)});
+}
+
+void add_explicit_pass(FrameBuilder& b, const ScenePass& pass) {
+    PassState state = pass.state;
+    if (!pass.own_matrices) {
+        state.modelview = b.view;
+        state.projection = b.projection;
+    }
+    for (std::size_t u = 0; u < 2; ++u)
+        if (state.units[u] && !pass.textures[u].empty())
+            state.units[u]->texture = b.textures.at(pass.textures[u]);
+    b.frame.passes.push_back({state, b.meshes.at(pass.mesh)});
+}
+
+const FactoredLighting& lighting_of(const FactoredMaterials& materials, const std::string& name) {
+    const auto it = materials.find(name);
+    if (it == materials.end())
+        throw Error(ExitCode::failure, "material '" + name + "' was not factored");
+    return it->second;
+}
+
+}  // namespace
+
+bool samples_float_textures(Preset preset) {
+    return preset == Preset::ideal64 || preset == Preset::float32;
+}
+
+Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMaterials& materials,
+                 Preset preset) {
+    FrameBuilder b = start(scene, assets);
+    std::map<std::string, std::size_t> factor_textures;
+    for (const FactoredObject& object : scene.objects) {
+        const FactoredLighting& lighting = lighting_of(materials, object.material);
+        if (!factor_textures.contains(object.material))
+            factor_textures[object.material] =
+                add_factor_textures(b.frame, lighting, samples_float_textures(preset));
+        add_four_passes(b, object, lighting, factor_textures[object.material]);
+        for (int i = 0; i < lighting.doubling_passes; ++i) add_doubling_pass(b, object);
+    }
+    for (const ScenePass& pass : scene.passes) add_explicit_pass(b, pass);
+    return std::move(b.frame);
+}
+
+Frame make_surface_frame(const Scene& scene, const SceneAssets& assets) {
+    FrameBuilder b = start(scene, assets);
+    for (const FactoredObject& object : scene.objects)
+        b.frame.passes.push_back({object_state(b, object), b.meshes.at(object.mesh)});
+    return std::move(b.frame);
+}
+
+}  // namespace twofold

@@ -1,0 +1,110 @@
+#include "scenes/lighting.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "factor/directions.hpp"
+#include "factor/lighting.hpp"
+#include "texunit/error.hpp"
+#include "texunit/image_file.hpp"
+
+namespace twofold {
+namespace {
+
+/// Stretches of the direction sequence: no pair is in two of them.
+constexpr std::uint64_t fit_sequence = 0, held_out_sequence = 1, averaging_sequence = 2;
+
+/// Views over which the averaging of the environment is judged; each sums over every texel.
+constexpr int averaging_views = 64;
+
+SceneLights averaged(FloatImage picture, EnvironmentSettings settings, const std::string& name) {
+    Environment environment = latitude_longitude(picture, settings, name);
+    return {std::move(environment.lights), std::move(picture), environment.report, {}};
+}
+
+struct LightsMaker {
+    const Scene& scene;
+    int cells;
+
+    SceneLights operator()(const LatLongFile& file) const {
+        const auto path = std::filesystem::path(scene.directory) / file.path;
+        ReadImage read = read_float_image(path);
+        SceneLights lights = averaged(std::move(read.image), {cells, file.repair}, path.string());
+        lights.notes = std::move(read.notes);
+        return lights;
+    }
+    SceneLights operator()(const PaintedLatLong& painted) const {
+        return averaged(paint(painted.environment, painted.width, painted.height), {cells, false},
+                        "painted environment");
+    }
+    SceneLights operator()(const DirectionalLights& directional) const {
+        return {bound_blocks(directional_lights(directional.lights)), std::nullopt, {}, {}};
+    }
+};
+
+LightingSamples sample(const Brdf& brdf, const DistantLights& lights, int count,
+                       std::uint64_t sequence, int threads) {
+    LightingSamples samples{surface_views(count, sequence), {}};
+    samples.radiance = outgoing_radiance(brdf, lights, samples.at, threads);
+    return samples;
+}
+
+/// The materials that objects use.
+std::map<std::string, Brdf> used_materials(const Scene& scene) {
+    std::map<std::string, Brdf> used;
+    for (const FactoredObject& object : scene.objects)
+        used.emplace(object.material, scene.materials.at(object.material));
+    return used;
+}
+
+}  // namespace
+
+SceneLights make_lights(const Scene& scene) {
+    if (!scene.environment)
+        throw Error(ExitCode::failure, "environment: needed by the scene's objects, but missing");
+    return std::visit(LightsMaker{scene, scene.environment->cells}, scene.environment->source);
+}
+
+double averaging_cost(const Scene& scene, const SceneLights& lights, const Brdf& brdf,
+                      int threads) {
+    if (!lights.picture) return 0.0;
+    EnvironmentSettings settings{scene.environment->cells, true};
+    const auto views = surface_views(averaging_views, averaging_sequence);
+    return averaging_cost(brdf, *lights.picture, settings, views, threads);
+}
+
+double white_radiance(const WhitePoint& white,
+                      const std::map<std::string, MaterialSamples>& samples) {
+    if (white.radiance) return *white.radiance;
+    std::vector<double> largest;
+    for (const auto& [name, s] : samples)
+        for (const Rgb& radiance : s.fit.radiance) largest.push_back(max_component(radiance));
+    if (largest.empty()) return 1.0;
+    std::stable_sort(largest.begin(), largest.end());
+    const double last = static_cast<double>(largest.size() - 1);
+    const double value = largest[static_cast<std::size_t>(white.percentile / 100.0 * last)];
+    return value > 0.0 ? value : 1.0;
+}
+
+LitScene light_scene(const Scene& scene, int threads, const StepListener& listen) {
+    LitScene lit;
+    if (scene.objects.empty()) return lit;
+    listen("environment");
+    lit.lights = make_lights(scene);
+    const FactorSettings& settings = scene.factorization;
+    std::map<std::string, MaterialSamples> samples;
+    for (const auto& [name, brdf] : used_materials(scene)) {
+        listen("sample " + name);
+        samples[name] = {
+            sample(brdf, lit.lights.lights, settings.samples, fit_sequence, threads),
+            sample(brdf, lit.lights.lights, settings.held_out, held_out_sequence, threads)};
+    }
+    lit.white = white_radiance(scene.white, samples);
+    for (const auto& [name, s] : samples) {
+        listen("factor " + name);
+        lit.materials.emplace(name, factorize(s.fit, s.held_out, settings, lit.white, threads));
+    }
+    return lit;
+}
+
+}  // namespace twofold

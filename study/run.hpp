@@ -1,0 +1,51 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/exact_picture.hpp"
+#include "scenes/lighting.hpp"
+#include "study/metrics.hpp"
+
+/// One scene from file to findings: light it, draw it under every preset it names, compare.
+namespace twofold {
+
+struct RunStep {
+    std::string name;
+    double seconds = 0.0;  ///< wall time
+};
+
+/// One drawn picture; `name` is "exact" or a preset.
+struct RunPicture {
+    std::string name;
+    Framebuffer picture;
+};
+
+/// Difference of two of the run's pictures where both are covered.
+struct RunComparison {
+    std::string picture;
+    std::string reference;
+    PictureDifference difference;
+};
+
+struct RunResult {
+    Scene scene;
+    LitScene lit;
+    std::map<std::string, double> averaging_cost;  ///< by material
+    std::size_t turned_away = 0;                   ///< see ExactPicture
+    std::vector<RunPicture> pictures;              ///< exact first if there are objects
+    std::vector<RunComparison> comparisons;
+    std::vector<RunStep> steps;
+    std::vector<std::string> notes;
+    std::vector<std::string> warnings;
+};
+
+/// @param listen told of each step as it begins
+RunResult run_scene(const Scene& scene, int threads, const StepListener& listen);
+
+/// Notes about the environment and meshes, in words.
+std::vector<std::string> notes_about(const SceneLights& lights, const SceneAssets& assets);
+
+}  // namespace twofold
