@@ -1,0 +1,81 @@
+#include "factor/lighting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "factor/light_block.hpp"
+#include "texunit/ordered_sum.hpp"
+#include "texunit/parallel.hpp"
+
+namespace twofold {
+namespace {
+
+/// Views a thread takes at a time: some milliseconds of work.
+constexpr std::size_t views_per_task = 64;
+
+/// A block all of whose terms are +0.0: black, or wholly below the horizon of n. Its block sum is
+/// +0.0 then, so leaving out the work changes no bit of the sum.
+bool adds_nothing(const DistantLights& lights, std::size_t block, Vec3 n) {
+    if (lights.cones.empty()) {
+        return false;
+    }
+    const LightCone& cone = lights.cones[block];
+    return cone.dark || dot(n, cone.axis) <= -cone.sine;
+}
+
+LightBlock light_block_at(const DistantLights& lights, std::size_t block) {
+    const std::size_t first = block * light_block;
+    const std::size_t rest = lights.size() - first;
+    return {lights, first, rest < light_block ? rest : light_block};
+}
+
+template <class Table>
+Rgb radiance(const Table& table, const DistantLights& lights, const SurfaceView& at) {
+    if (!(dot(at.n, at.v) > 0.0)) {
+        return Rgb(0.0);
+    }
+    std::array<BlockTree, 3> trees;
+    for (std::size_t k = 0; k < lights.blocks(); ++k) {
+        const Rgb sum = adds_nothing(lights, k, at.n)
+                            ? Rgb(0.0)
+                            : block_sum(table, light_block_at(lights, k), at);
+        trees[0].add(sum.x);
+        trees[1].add(sum.y);
+        trees[2].add(sum.z);
+    }
+    return {trees[0].total(), trees[1].total(), trees[2].total()};
+}
+
+template <class Table>
+std::vector<Rgb> radiances(const Table& table, const DistantLights& lights,
+                           std::span<const SurfaceView> at, int threads) {
+    std::vector<Rgb> result(at.size());
+    const std::size_t tasks = (at.size() + views_per_task - 1) / views_per_task;
+    parallel_for(tasks, threads, [&](std::size_t task) {
+        const std::size_t first = task * views_per_task;
+        const std::size_t end = std::min(first + views_per_task, at.size());
+        for (std::size_t i = first; i < end; ++i) {
+            result[i] = radiance(table, lights, at[i]);
+        }
+    });
+    return result;
+}
+
+}  // namespace
+
+Rgb outgoing_radiance(const Brdf& brdf, const DistantLights& lights, const SurfaceView& at) {
+    check(brdf);
+    return std::visit(
+        [&](const auto& material) { return radiance(tabulate(material), lights, at); }, brdf);
+}
+
+std::vector<Rgb> outgoing_radiance(const Brdf& brdf, const DistantLights& lights,
+                                   std::span<const SurfaceView> at, int threads) {
+    check(brdf);
+    return std::visit(
+        [&](const auto& material) { return radiances(tabulate(material), lights, at, threads); },
+        brdf);
+}
+
+}  // namespace twofold
