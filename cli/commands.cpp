@@ -1,0 +1,160 @@
+#include "cli/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/console.hpp"
+#include "raster/reference.hpp"
+#include "scenes/scene_file.hpp"
+#include "study/pictures.hpp"
+#include "study/results_json.hpp"
+#include "study/write_run.hpp"
+#include "texunit/atomic_file.hpp"
+#include "texunit/image_file.hpp"
+
+namespace twofold {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_json(const Json& json) { fmt::print("{}\n", json.dump(2)); }
+
+bool all_converged(const FactoredMaterials& materials) {
+    for (const auto& [name, lighting] : materials)
+        for (const ChannelFit& fit : lighting.fit)
+            if (fit.solver.status != SolverStatus::converged) return false;
+    return true;
+}
+
+/// Shows the warnings and the solver's failures; the worse of the two decides.
+ExitCode outcome(const FactoredMaterials& materials, Console& console) {
+    bool warned = false;
+    for (const auto& [name, lighting] : materials) {
+        for (const std::string& text : lighting.warnings) {
+            console.warn(fmt::format("{}: {}", name, text));
+            warned = true;
+        }
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const SolverReport& s = lighting.fit[c].solver; s.status != SolverStatus::converged)
+                console.warn(fmt::format(
+                    "{}: {} did not converge: {} after {} iterations, residual {:.3g}", name,
+                    channel_name(c), name_of(s.status), s.iterations, s.relative_residual));
+    }
+    if (!all_converged(materials)) return ExitCode::not_converged;
+    return warned ? ExitCode::warning : ExitCode::ok;
+}
+
+void print_comparisons(const RunResult& run) {
+    fmt::print("{:<8} {:<8} {:>9} {:>9} {:>9} {:>5} {:>8} {:>8}\n", "picture", "against",
+               "compared", "differ", "coverage", "max", "rms", "PSNR dB");
+    for (const RunComparison& c : run.comparisons) {
+        const PictureDifference& d = c.difference;
+        fmt::print("{:<8} {:<8} {:>9} {:>9} {:>9} {:>5} {:>8.3f} {:>8.2f}\n", c.picture,
+                   c.reference, d.pixels_compared, d.differing_pixels, d.coverage_differs,
+                   d.max_steps, d.rms_steps, d.psnr_db);
+    }
+}
+
+void print_fit(const FactoredMaterials& materials) {
+    for (const auto& [name, lighting] : materials)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const ChannelFit& f = lighting.fit[c];
+            fmt::print(
+                "{} {}: {} in {} iterations, relative rms {:.4f}, log rms {:.4f}, median {:.4f}, "
+                "p95 {:.4f}, c {:.4g}\n",
+                name, channel_name(c), name_of(f.solver.status), f.solver.iterations,
+                f.relative_rms, f.log_rms, f.median, f.p95, lighting.c[static_cast<int>(c)]);
+        }
+}
+
+void print_steps(const std::vector<RunStep>& steps) {
+    double total = 0.0;
+    for (const RunStep& s : steps) {
+        fmt::print("{:<24} {:>8.3f} s\n", s.name, s.seconds);
+        total += s.seconds;
+    }
+    fmt::print("{:<24} {:>8.3f} s\n", "total", total);
+}
+
+std::string lower_case_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+void write_picture(const std::filesystem::path& path, const Framebuffer& picture) {
+    if (lower_case_extension(path) == ".png")
+        write_file_atomically(path, encode_png(byte_image(picture)));
+    else
+        write_file_atomically(path, encode_exr(float_image(picture)));
+}
+
+}  // namespace
+
+ExitCode run_command(const RunOptions& options, const CommonOptions& common) {
+    const Scene scene = read_scene(options.scene, common.overrides);
+    prepare_folder(options.output);
+    Console console(common.quiet);
+    RunResult run =
+        run_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
+    console.step("write report");
+    const auto report = write_run(run, options.output, common.command_line);
+    console.finish();
+    if (common.json) {
+        print_json(run_json(run));
+    } else {
+        print_fit(run.lit.materials);
+        print_comparisons(run);
+        print_steps(run.steps);
+        fmt::print("report: {}\n", std::filesystem::absolute(report).lexically_normal().string());
+    }
+    return outcome(run.lit.materials, console);
+}
+
+ExitCode factor_command(const FactorOptions& options, const CommonOptions& common) {
+    const Scene scene = read_scene(options.scene, common.overrides);
+    if (scene.objects.empty())
+        throw Error(ExitCode::failure, options.scene + ": objects: there is nothing to factor");
+    prepare_folder(options.output);
+    Console console(common.quiet);
+    const LitScene lit =
+        light_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
+    write_factors(scene, lit, options.output);
+    console.finish();
+    if (common.json)
+        print_json(factors_json(scene, lit));
+    else
+        print_fit(lit.materials);
+    return outcome(lit.materials, console);
+}
+
+ExitCode render_command(const RenderOptions& options, const CommonOptions& common) {
+    const Scene scene = read_scene(options.scene, common.overrides);
+    const Preset preset =
+        options.preset.empty() ? scene.presets.front() : preset_or_error(options.preset);
+    const std::string extension = lower_case_extension(options.output);
+    if (extension != ".png" && extension != ".exr")
+        throw Error(ExitCode::failure,
+                    "--output: '" + options.output + "' must end in .png or .exr");
+    Console console(common.quiet);
+    const SceneAssets assets = load_assets(scene);
+    const LitScene lit =
+        light_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
+    console.step(fmt::format("draw {}", name_of(preset)));
+    const Framebuffer picture =
+        render_reference(make_frame(scene, assets, lit.materials, preset), preset);
+    write_picture(options.output, picture);
+    console.finish();
+    if (common.json)
+        print_json({{"preset", name_of(preset)},
+                    {"hash", hash_of(picture)},
+                    {"counters", to_json(picture.counters)}});
+    else
+        fmt::print("{} {} {}\n", name_of(preset), hash_of(picture), options.output);
+    return outcome(lit.materials, console);
+}
+
+}  // namespace twofold

@@ -1,0 +1,56 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "texunit/error.hpp"
+#include "texunit/preset.hpp"
+
+/// The program's commands. Each prints results to stdout, messages to stderr, and returns the exit
+/// code; errors are exceptions that main() turns into a message and a code.
+namespace twofold {
+
+struct CommonOptions {
+    bool json = false;
+    bool quiet = false;
+    int threads = 0;                     ///< 0 = all of the machine
+    std::vector<std::string> overrides;  ///< path=value changes to the scene
+    std::string command_line;            ///< for the report
+};
+
+/// The preset that --preset names.
+/// @throws Error with the names that there are
+Preset preset_or_error(const std::string& name);
+
+struct RunOptions {
+    std::string scene;
+    std::string output = "out";
+};
+ExitCode run_command(const RunOptions& options, const CommonOptions& common);
+
+struct FactorOptions {
+    std::string scene;
+    std::string output;
+};
+ExitCode factor_command(const FactorOptions& options, const CommonOptions& common);
+
+struct RenderOptions {
+    std::string scene;
+    std::string output;
+    std::string preset;  ///< empty = the first that the scene names
+};
+ExitCode render_command(const RenderOptions& options, const CommonOptions& common);
+
+struct CompareOptions {
+    std::string a, b;
+    std::string diff;  ///< empty = no difference picture
+    bool covered = false;
+};
+ExitCode compare_command(const CompareOptions& options, const CommonOptions& common);
+
+struct ExplainOptions {
+    std::string scene;
+    std::string preset;
+};
+ExitCode explain_command(const ExplainOptions& options, const CommonOptions& common);
+
+}  // namespace twofold

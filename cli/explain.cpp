@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "raster/plan.hpp"
+#include "raster/reference.hpp"
+#include "scenes/scene_file.hpp"
+#include "study/results_json.hpp"
+#include "study/run.hpp"
+
+namespace twofold {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json table_json(Preset preset) {
+    Json stages = Json::array();
+    for (const StageRule& r : stage_rules(preset))
+        stages.push_back({{"stage", r.stage},
+                          {"rule", r.rule},
+                          {"mark", name_of(r.mark)},
+                          {"source", r.source}});
+    const MarkCounts n = count_marks(preset);
+    return {{"preset", name_of(preset)},
+            {"version", version_of(preset)},
+            {"purpose", purpose_of(preset)},
+            {"sentence", exactness_sentence(preset)},
+            {"sourced", n.sourced},
+            {"inferred", n.inferred},
+            {"chosen", n.chosen},
+            {"stages", stages}};
+}
+
+void print_table(Preset preset) {
+    fmt::print("{} v{}: {}\n\n", name_of(preset), version_of(preset), purpose_of(preset));
+    int number = 0;
+    for (const StageRule& r : stage_rules(preset))
+        fmt::print("{:>2} {:<40} {:<9} {}\n   {:<40} {:<9} from: {}\n", ++number, r.stage,
+                   name_of(r.mark), r.rule, "", "", r.source);
+    fmt::print("\n{}\n", exactness_sentence(preset));
+}
+
+/// A lighting function that stands for one not yet factored: one texel a face, scale 1.
+FactoredLighting stand_in() {
+    FactoredLighting lighting;
+    for (FactorMap* map : {&lighting.t1, &lighting.t2})
+        for (std::size_t face = 0; face < 2; ++face) {
+            map->real[face] = {1, 1, std::vector<Rgba32f>{{1.0f, 1.0f, 1.0f, 1.0f}}};
+            map->bytes[face] = {1, 1, std::vector<Rgba8>{{255, 255, 255, 255}}};
+        }
+    return lighting;
+}
+
+Frame explained_frame(const Scene& scene) {
+    FactoredMaterials materials;
+    for (const FactoredObject& object : scene.objects) materials[object.material] = stand_in();
+    return make_frame(scene, load_assets(scene), materials, scene.presets.front());
+}
+
+/// What one pass alone does to a cleared picture: its counted work.
+DrawCounters work_of(const Frame& frame, std::size_t pass, Preset preset) {
+    Frame alone = frame;
+    alone.passes = {frame.passes[pass]};
+    return render_reference(alone, preset).counters;
+}
+
+Json pass_json(const PassState& state, const DrawCounters& work) {
+    Json stages = Json::array();
+    for (const PlannedStage& s : plan(state))
+        stages.push_back({{"stage", s.stage}, {"runs", s.runs}, {"why", s.why}, {"cost", s.cost}});
+    return {{"stages", stages},
+            {"work", to_json(work)},
+            {"texel_fetches", work.fragments * static_cast<std::uint64_t>(texel_fetches(state))}};
+}
+
+void print_pass(std::size_t i, const PassState& state, const DrawCounters& work) {
+    fmt::print("pass {}: {} triangles, {} set up, {} fragments, {} texel fetches\n", i,
+               work.triangles, work.set_up, work.fragments,
+               work.fragments * static_cast<std::uint64_t>(texel_fetches(state)));
+    for (const PlannedStage& s : plan(state))
+        fmt::print("  {:<3} {:<18} {:<42} {}\n", s.runs ? "on" : "-", s.stage, s.why, s.cost);
+}
+
+ExitCode explain_scene(const ExplainOptions& options, const CommonOptions& common) {
+    const Scene scene = read_scene(options.scene, common.overrides);
+    const Frame frame = explained_frame(scene);
+    Json passes = Json::array();
+    for (std::size_t i = 0; i < frame.passes.size(); ++i) {
+        const PassState& state = frame.passes[i].state;
+        const DrawCounters work = work_of(frame, i, scene.presets.front());
+        if (common.json)
+            passes.push_back(pass_json(state, work));
+        else
+            print_pass(i, state, work);
+    }
+    const std::string note =
+        "before factoring: rgb_scale is taken as 1; a scale above 4 adds doubling passes";
+    if (common.json)
+        fmt::print("{}\n", Json{{"passes", passes}, {"note", note}}.dump(2));
+    else if (!scene.objects.empty())
+        fmt::print("{}\n", note);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Preset preset_or_error(const std::string& name) {
+    if (const auto preset = preset_named(name)) return *preset;
+    std::string known;
+    for (const Preset p : all_presets) known += fmt::format(" {}", name_of(p));
+    throw Error(ExitCode::failure,
+                fmt::format("--preset: no preset '{}'; there are:{}", name, known));
+}
+
+ExitCode explain_command(const ExplainOptions& options, const CommonOptions& common) {
+    if (options.scene.empty() == options.preset.empty())
+        throw Error(ExitCode::failure, "explain: give either a scene or --preset NAME");
+    if (!options.scene.empty()) return explain_scene(options, common);
+    const Preset preset = preset_or_error(options.preset);
+    if (common.json)
+        fmt::print("{}\n", table_json(preset).dump(2));
+    else
+        print_table(preset);
+    return ExitCode::ok;
+}
+
+}  // namespace twofold

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "cli/commands.hpp"
+#include "study/results_json.hpp"
+#include "texunit/self_check.hpp"
+
+namespace {
+
+using namespace twofold;
+
+struct Options {
+    CommonOptions common;
+    RunOptions run;
+    FactorOptions factor;
+    RenderOptions render;
+    CompareOptions compare;
+    ExplainOptions explain;
+};
+
+void add_common(CLI::App& command, CommonOptions& common, bool reads_scene) {
+    command.add_flag("--json", common.json, "Print results as JSON");
+    command.add_flag("-q,--quiet", common.quiet, "No progress");
+    if (!reads_scene) return;
+    command
+        .add_option("-D,--define", common.overrides, "Change a scene field: path.to.field=value")
+        ->allow_extra_args(false);
+    command
+        .add_option("-j,--threads", common.threads, "Threads; 0 = all. Results do not depend on it")
+        ->check(CLI::Range(0, 1024));
+}
+
+void define_run(CLI::App& app, Options& o) {
+    auto* c = app.add_subcommand(
+        "run", "Factor a scene, draw it in every preset it names, compare, report");
+    c->add_option("SCENE", o.run.scene, "Scene file")->required();
+    c->add_option("-o,--output", o.run.output, "Folder for report.html, pictures, manifest.json")
+        ->capture_default_str();
+    add_common(*c, o.common, true);
+    c->footer("Example: twofold run scenes/gold-suzanne.json -o out -D image.width=512");
+}
+
+void define_factor(CLI::App& app, Options& o) {
+    auto* c =
+        app.add_subcommand("factor", "Factor a scene's lighting functions into two textures each");
+    c->add_option("SCENE", o.factor.scene, "Scene file")->required();
+    c->add_option("-o,--output", o.factor.output, "Folder for the maps and factors.json")
+        ->required();
+    add_common(*c, o.common, true);
+    c->footer("Example: twofold factor scenes/sphere-lobe.json -o maps --json");
+}
+
+void define_render(CLI::App& app, Options& o) {
+    auto* c = app.add_subcommand("render", "Draw a scene under one preset");
+    c->add_option("SCENE", o.render.scene, "Scene file")->required();
+    c->add_option("-o,--output", o.render.output, "Picture: .png (8 bits) or .exr (binary32)")
+        ->required();
+    c->add_option("--preset", o.render.preset, "Numeric preset; without it the scene's first");
+    add_common(*c, o.common, true);
+    c->footer("Example: twofold render scenes/two-passes.json -o quad.png --preset nv17");
+}
+
+void define_compare(CLI::App& app, Options& o) {
+    auto* c = app.add_subcommand(
+        "compare", "Compare two pictures exactly; exit code 0 only if they are equal");
+    c->add_option("A", o.compare.a, "Picture")->required();
+    c->add_option("B", o.compare.b, "Picture")->required();
+    c->add_option("--diff", o.compare.diff, "Write a heat map of the differences (.png)");
+    c->add_flag("--covered", o.compare.covered,
+                "Only colours of pixels whose alpha is not 0 in both");
+    add_common(*c, o.common, false);
+    c->footer("Example: twofold compare golden.png out/nv17.png --diff diff.png");
+}
+
+void define_explain(CLI::App& app, Options& o) {
+    auto* c = app.add_subcommand("explain",
+                                 "Which stages run, why and at what cost; or a preset's table");
+    c->add_option("SCENE", o.explain.scene, "Scene file");
+    c->add_option("--preset", o.explain.preset, "Print the table of this numeric preset");
+    add_common(*c, o.common, true);
+    c->footer("Example: twofold explain --preset nv17");
+}
+
+ExitCode dispatch(const CLI::App& app, const Options& o) {
+    if (app.got_subcommand("run")) return run_command(o.run, o.common);
+    if (app.got_subcommand("factor")) return factor_command(o.factor, o.common);
+    if (app.got_subcommand("render")) return render_command(o.render, o.common);
+    if (app.got_subcommand("compare")) return compare_command(o.compare, o.common);
+    return explain_command(o.explain, o.common);
+}
+
+int complain(ExitCode code, const std::string& text) {
+    fmt::print(stderr, "twofold: {}\n", text);
+    return static_cast<int>(code);
+}
+
+std::string joined(int argc, char** argv) {
+    std::string line = "twofold";
+    for (int i = 1; i < argc; ++i) line += fmt::format(" {}", argv[i]);
+    return line;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (const std::string defects = floating_point_defects(); !defects.empty())
+        return complain(ExitCode::inexact_build, "this build or process is not exact: " + defects);
+    CLI::App app{"twofold: lighting functions as two textures, drawn bit-exactly to named presets",
+                 "twofold"};
+    app.set_version_flag("--version", "twofold " + program_version());
+    app.require_subcommand(1);
+    app.footer(
+        "Example: twofold run scenes/gold-suzanne.json -o out\n"
+        "Exit codes: 0 ok, 1 done with warnings, 2 difference, usage or scene error, 3 sizes "
+        "differ,\n"
+        "4 unreadable or bad file, 5 the solver did not converge, 6 arithmetic is not exact");
+    Options options;
+    options.common.command_line = joined(argc, argv);
+    define_run(app, options);
+    define_factor(app, options);
+    define_render(app, options);
+    define_compare(app, options);
+    define_explain(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : static_cast<int>(ExitCode::failure);
+    }
+    return static_cast<int>(dispatch(app, options));
+} catch (const twofold::Error& e) {
+    return complain(e.code(), e.what());
+} catch (const std::bad_alloc&) {
+    return complain(ExitCode::failure, "out of memory");
+} catch (const std::exception& e) {
+    return complain(ExitCode::failure, e.what());
+}

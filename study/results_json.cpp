@@ -1,0 +1,165 @@
+#include "study/results_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "scenes/scene_file.hpp"
+#include "study/pictures.hpp"
+
+namespace twofold {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rgb_json(const Rgb& c) { return Json::array({c.x, c.y, c.z}); }
+
+Json treated_json(const TreatedSamples& t) {
+    return {{"used", t.used}, {"non_finite", t.non_finite}, {"negative", t.negative},
+            {"zero", t.zero}, {"floored", t.floored},       {"capped", t.capped}};
+}
+
+Json channel_json(std::size_t channel, const FactoredLighting& lighting) {
+    const ChannelFit& fit = lighting.fit[channel];
+    const ByteLoss &t1 = lighting.t1.loss[channel], &t2 = lighting.t2.loss[channel];
+    return {{"channel", channel_name(channel)},
+            {"status", name_of(fit.solver.status)},
+            {"iterations", fit.solver.iterations},
+            {"best_iteration", fit.solver.best_iteration},
+            {"relative_residual", fit.solver.relative_residual},
+            {"relative_rms", fit.relative_rms},
+            {"relative_rms_8bit", fit.byte_rms},
+            {"log_rms", fit.log_rms},
+            {"median", fit.median},
+            {"p95", fit.p95},
+            {"samples", treated_json(fit.counts)},
+            {"untouched_share", fit.untouched_share},
+            {"levels", {{"t1", t1.levels}, {"t2", t2.levels}}},
+            {"zero_share", {{"t1", t1.zero_share}, {"t2", t2.zero_share}}},
+            {"history", fit.solver.history}};
+}
+
+Json lighting_json(const FactoredLighting& lighting) {
+    Json channels = Json::array();
+    for (std::size_t c = 0; c < 3; ++c) channels.push_back(channel_json(c, lighting));
+    return {{"map_size", lighting.t1.shape.size},
+            {"scale",
+             {{"color", rgb_json(lighting.scale_color)},
+              {"combiner_scale", lighting.combiner_scale},
+              {"doubling_passes", lighting.doubling_passes}}},
+            {"max1", rgb_json(lighting.max1)},
+            {"max2", rgb_json(lighting.max2)},
+            {"c", rgb_json(lighting.c)},
+            {"hash_t1", hash_of(lighting.t1)},
+            {"hash_t2", hash_of(lighting.t2)},
+            {"warnings", lighting.warnings},
+            {"channels", channels}};
+}
+
+Json environment_json(const SceneLights& lights) {
+    const EnvironmentReport& r = lights.report;
+    return {{"lights", lights.lights.size()},
+            {"width", r.width},
+            {"height", r.height},
+            {"negative", r.negative},
+            {"least_value", r.least_value},
+            {"non_finite", r.non_finite},
+            {"brightest_share", r.brightest_share}};
+}
+
+Json pictures_json(const RunResult& run, bool with_counters) {
+    Json pictures = Json::object();
+    for (const RunPicture& p : run.pictures) {
+        pictures[p.name] = {{"hash", hash_of(p.picture)}};
+        if (with_counters && p.name != "exact")
+            pictures[p.name]["counters"] = to_json(p.picture.counters);
+    }
+    return pictures;
+}
+
+}  // namespace
+
+std::string program_version() { return TWOFOLD_VERSION; }
+
+Json to_json(const PictureDifference& d) {
+    Json first = nullptr;
+    if (d.first_difference) first = {d.first_difference->first, d.first_difference->second};
+    return {{"pixels_compared", d.pixels_compared},
+            {"differing_pixels", d.differing_pixels},
+            {"coverage_differs", d.coverage_differs},
+            {"first_difference", first},
+            {"max_steps", d.max_steps},
+            {"rms_steps", d.rms_steps},
+            {"psnr_db", d.psnr_db},
+            {"max_per_channel", d.max_per_channel},
+            {"histogram", d.histogram}};
+}
+
+Json to_json(const FloatDifference& d) {
+    Json first = nullptr;
+    if (d.first_difference) first = {d.first_difference->first, d.first_difference->second};
+    return {{"samples_compared", d.samples_compared},
+            {"differing_samples", d.differing_samples},
+            {"differing_pixels", d.differing_pixels},
+            {"coverage_differs", d.coverage_differs},
+            {"first_difference", first},
+            {"max_abs", d.max_abs},
+            {"rms", d.rms},
+            {"psnr_db", d.psnr_db}};
+}
+
+Json to_json(const DrawCounters& c) {
+    return {{"triangles", c.triangles},
+            {"rejected", c.rejected},
+            {"not_finite", c.not_finite},
+            {"clipped", c.clipped},
+            {"culled", c.culled},
+            {"zero_area", c.zero_area},
+            {"set_up", c.set_up},
+            {"fragments", c.fragments},
+            {"undefined_coords", c.undefined_coords},
+            {"alpha_failed", c.alpha_failed},
+            {"depth_failed", c.depth_failed},
+            {"written", c.written}};
+}
+
+Json factors_json(const Scene& scene, const LitScene& lit) {
+    Json materials = Json::object();
+    for (const auto& [name, lighting] : lit.materials) materials[name] = lighting_json(lighting);
+    return {{"title", scene.title},
+            {"version", program_version()},
+            {"white", lit.white},
+            {"environment", environment_json(lit.lights)},
+            {"materials", materials}};
+}
+
+Json run_json(const RunResult& run) {
+    Json comparisons = Json::array();
+    for (const RunComparison& c : run.comparisons) {
+        Json row = {{"picture", c.picture}, {"reference", c.reference}};
+        row.update(to_json(c.difference));
+        comparisons.push_back(row);
+    }
+    Json steps = Json::object();
+    for (const RunStep& s : run.steps) steps[s.name] = s.seconds;
+    return {{"factors", factors_json(run.scene, run.lit)},
+            {"averaging_cost", run.averaging_cost},
+            {"turned_away", run.turned_away},
+            {"pictures", pictures_json(run, true)},
+            {"comparisons", comparisons},
+            {"seconds", steps},
+            {"notes", run.notes},
+            {"warnings", run.warnings}};
+}
+
+std::string manifest_json(const RunResult& run) {
+    Json manifest = Json::parse(scene_to_json(run.scene));
+    Json factors = Json::object();
+    for (const auto& [name, lighting] : run.lit.materials)
+        factors[name] = {{"t1", hash_of(lighting.t1)}, {"t2", hash_of(lighting.t2)}};
+    manifest["results"] = {{"version", program_version()},
+                           {"white", run.lit.white},
+                           {"factors", factors},
+                           {"pictures", pictures_json(run, false)}};
+    return manifest.dump(2) + "\n";
+}
+
+}  // namespace twofold

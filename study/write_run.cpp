@@ -1,0 +1,177 @@
+#include "study/write_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "study/pictures.hpp"
+#include "study/report.hpp"
+#include "study/results_json.hpp"
+#include "texunit/atomic_file.hpp"
+#include "texunit/error.hpp"
+#include "texunit/image_file.hpp"
+
+namespace twofold {
+namespace {
+
+constexpr std::array<const char*, 2> face_names{"front", "back"};
+
+void write_factor_map(const FactorMap& map, const std::string& stem,
+                      const std::filesystem::path& folder) {
+    for (std::size_t face = 0; face < 2; ++face) {
+        const std::string name = fmt::format("{}-{}", stem, face_names[face]);
+        write_file_atomically(folder / (name + ".exr"), encode_exr(float_image(map.real[face])));
+        write_file_atomically(folder / (name + ".png"), encode_png(byte_image(map.bytes[face])));
+    }
+}
+
+const Framebuffer& picture_named(const RunResult& run, const std::string& name) {
+    for (const RunPicture& p : run.pictures)
+        if (p.name == name) return p.picture;
+    throw Error(ExitCode::failure, "no picture named " + name);
+}
+
+ReportComparison report_comparison(const RunResult& run, const RunComparison& c) {
+    const int full_scale = std::clamp(c.difference.max_steps, 8, 64);
+    const ByteImage heat = heat_map(byte_image(picture_named(run, c.picture)),
+                                    byte_image(picture_named(run, c.reference)), full_scale);
+    return {c.picture, c.reference, c.difference, encode_png(heat), full_scale};
+}
+
+ReportChannelFit report_fit(const ChannelFit& fit, double c) {
+    const TreatedSamples& t = fit.counts;
+    return {name_of(fit.solver.status),
+            fit.solver.iterations,
+            fit.solver.relative_residual,
+            fit.solver.history,
+            fit.relative_rms,
+            fit.log_rms,
+            fit.median,
+            fit.p95,
+            c,
+            {{"used", t.used},
+             {"not finite, left out", t.non_finite},
+             {"negative, raised to the floor", t.negative},
+             {"zero, raised to the floor", t.zero},
+             {"raised to the floor", t.floored},
+             {"lowered to the cap", t.capped}}};
+}
+
+std::string brdf_name(const Brdf& brdf) {
+    if (const auto* phong = std::get_if<ModifiedPhong>(&brdf))
+        return fmt::format("modified Phong, N = {}", phong->exponent);
+    return fmt::format("Cook-Torrance, {} lobes", std::get<CookTorrance>(brdf).lobes.size());
+}
+
+ReportMaterial report_material(const RunResult& run, const std::string& name,
+                               const FactoredLighting& lighting) {
+    const Rgb& s = lighting.scale_color;
+    ReportMaterial m{name,
+                     brdf_name(run.scene.materials.at(name)),
+                     lighting.t1.shape.size,
+                     lighting.combiner_scale,
+                     lighting.doubling_passes,
+                     {s.x, s.y, s.z},
+                     {},
+                     {}};
+    for (std::size_t c = 0; c < 3; ++c)
+        m.channels[c] = report_fit(lighting.fit[c], lighting.c[static_cast<int>(c)]);
+    for (const auto& [label, map] : {std::pair{"t1", &lighting.t1}, std::pair{"t2", &lighting.t2}})
+        for (std::size_t face = 0; face < 2; ++face)
+            m.maps.push_back({fmt::format("{} {}", label, face_names[face]),
+                              encode_png(byte_image(map->bytes[face])), hash_of(*map)});
+    return m;
+}
+
+std::string environment_text(const RunResult& run) {
+    if (!run.scene.environment) return "none";
+    const auto count = run.lit.lights.lights.size();
+    if (const auto* file = std::get_if<LatLongFile>(&run.scene.environment->source))
+        return fmt::format("{}, {} x {} averaged to {} lights", file->path,
+                           run.lit.lights.report.width, run.lit.lights.report.height, count);
+    if (run.lit.lights.picture)
+        return fmt::format("painted, {} x {} averaged to {} lights", run.lit.lights.report.width,
+                           run.lit.lights.report.height, count);
+    return fmt::format("{} directional lights", count);
+}
+
+std::vector<std::string> report_notes(const RunResult& run) {
+    std::vector<std::string> notes = run.notes;
+    if (run.turned_away > 0)
+        notes.push_back(
+            fmt::format("exact: at {} pixels the interpolated normal faces away from the eye; v is "
+                        "taken at the horizon there",
+                        run.turned_away));
+    return notes;
+}
+
+std::vector<std::pair<std::string, std::string>> provenance(const RunResult& run) {
+    std::vector<std::pair<std::string, std::string>> rows{
+        {"program", "twofold " + program_version()}};
+    for (const RunPicture& p : run.pictures) rows.emplace_back(p.name, hash_of(p.picture));
+    for (const auto& [name, lighting] : run.lit.materials) {
+        rows.emplace_back(name + " t1", hash_of(lighting.t1));
+        rows.emplace_back(name + " t2", hash_of(lighting.t2));
+    }
+    return rows;
+}
+
+Report make_report(const RunResult& run, const std::string& command) {
+    Report report;
+    report.title = run.scene.title;
+    report.scene_path = run.scene.directory;
+    report.version = program_version();
+    report.command = command;
+    report.notes = report_notes(run);
+    report.warnings = run.warnings;
+    report.white = run.lit.white;
+    report.environment = environment_text(run);
+    for (const auto& [name, cost] : run.averaging_cost)
+        report.averaging_cost = std::max(report.averaging_cost, cost);
+    for (const RunPicture& p : run.pictures)
+        report.pictures.push_back({p.name, encode_png(byte_image(p.picture)), hash_of(p.picture)});
+    for (const RunComparison& c : run.comparisons)
+        report.comparisons.push_back(report_comparison(run, c));
+    for (const auto& [name, lighting] : run.lit.materials)
+        report.materials.push_back(report_material(run, name, lighting));
+    for (const RunStep& s : run.steps) report.steps.push_back({s.name, s.seconds});
+    for (const Preset p : run.scene.presets)
+        report.preset_sentences.emplace_back(std::string(name_of(p)), exactness_sentence(p));
+    report.provenance = provenance(run);
+    return report;
+}
+
+}  // namespace
+
+void prepare_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+        throw Error(ExitCode::bad_file, folder.string() + ": cannot be made a folder: " +
+                                            (error ? error.message() : "it is a file"));
+    remove_stale_temporaries(folder);
+}
+
+void write_factors(const Scene& scene, const LitScene& lit, const std::filesystem::path& folder) {
+    for (const auto& [name, lighting] : lit.materials) {
+        write_factor_map(lighting.t1, name + "-t1", folder);
+        write_factor_map(lighting.t2, name + "-t2", folder);
+    }
+    write_file_atomically(folder / "factors.json", factors_json(scene, lit).dump(2) + "\n");
+}
+
+std::filesystem::path write_run(const RunResult& run, const std::filesystem::path& folder,
+                                const std::string& command) {
+    for (const RunPicture& p : run.pictures) {
+        write_file_atomically(folder / (p.name + ".png"), encode_png(byte_image(p.picture)));
+        write_file_atomically(folder / (p.name + ".exr"), encode_exr(float_image(p.picture)));
+    }
+    write_factors(run.scene, run.lit, folder);
+    write_file_atomically(folder / "manifest.json", manifest_json(run));
+    const std::filesystem::path report = folder / "report.html";
+    write_file_atomically(report, report_html(make_report(run, command)));
+    return report;
+}
+
+}  // namespace twofold
