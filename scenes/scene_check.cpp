@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "scenes/json_text.hpp"
+#include "scenes/scene_parts.hpp"
+#include "texunit/error.hpp"
+
+namespace twofold::scene_io {
+namespace {
+
+/// A scene that is being checked and the name of its file.
+struct Checked {
+    const Scene& scene;
+    std::string_view file;
+    bool may_be_absolute;
+
+    [[noreturn]] void fail(std::string_view path, std::string_view what) const {
+        throw Error(ExitCode::failure, path.empty() ? fmt::format("{}: {}", file, what)
+                                                    : fmt::format("{}: {}: {}", file, path, what));
+    }
+};
+
+template <class T>
+void check_name(const Checked& checked, const std::string& path, std::string_view kind,
+                const std::string& name, const std::map<std::string, T>& known) {
+    if (known.count(name) != 0) return;
+    std::vector<std::string_view> names;
+    for (const auto& [key, value] : known) names.push_back(key);
+    checked.fail(
+        path, fmt::format("no {} named '{}'{}", kind, printable(name), did_you_mean(name, names)));
+}
+
+/// A scene is something one gets from others: it must not reach outside its own folder.
+void check_path(const Checked& checked, const std::string& where, const std::string& text) {
+    const std::filesystem::path path(text);
+    const std::string shown = fmt::format("'{}'", printable(text));
+    if (text.empty()) checked.fail(where, "is empty");
+    if (std::any_of(text.begin(), text.end(), [](char c) { return c >= '\0' && c < ' '; }))
+        checked.fail(where, shown + " has a control character");
+    if (std::find(path.begin(), path.end(), "..") != path.end())
+        checked.fail(where, shown + " leads out of the scene's folder by '..'");
+    if (path.is_absolute() && !checked.may_be_absolute)
+        checked.fail(where, shown + " is absolute; only a scene with 'directory' may name such");
+}
+
+void check_paths(const Checked& checked) {
+    if (checked.scene.directory.find('\0') != std::string::npos)
+        checked.fail("directory", "has a NUL character");
+    if (checked.scene.environment)
+        if (const auto* file = std::get_if<LatLongFile>(&checked.scene.environment->source))
+            check_path(checked, "environment.latlong", file->path);
+    for (const auto& [name, mesh] : checked.scene.meshes)
+        if (const auto* file = std::get_if<MeshFile>(&mesh))
+            check_path(checked, fmt::format("meshes.{}.file", name), file->path);
+    for (const auto& [name, texture] : checked.scene.textures)
+        if (const auto* file = std::get_if<TextureFile>(&texture))
+            check_path(checked, fmt::format("textures.{}.file", name), file->path);
+}
+
+/// What is lit or textured by direction needs normals; files and generated meshes always have them.
+void check_normals(const Checked& checked, const std::string& path, const std::string& name) {
+    const auto* vertices = std::get_if<InlineMesh>(&checked.scene.meshes.at(name));
+    if (vertices != nullptr && vertices->mesh.normals.empty())
+        checked.fail(path,
+                     fmt::format("the mesh '{}' has no normals, which are needed here", name));
+}
+
+/// Whether the upper left 3x3 part has no inverse to speak of. Its rows are first scaled to a
+/// largest element of 1, so that the size of the model does not matter.
+bool is_singular(const Mat4& matrix) {
+    std::array<Vec3, 3> rows;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 row{matrix[0][i], matrix[1][i], matrix[2][i]};
+        const double largest = max_component({std::abs(row.x), std::abs(row.y), std::abs(row.z)});
+        if (largest == 0.0) return true;
+        rows[static_cast<std::size_t>(i)] = row / largest;
+    }
+    return std::abs(dot(rows[0], cross(rows[1], rows[2]))) <= 1e-12;
+}
+
+bool uses_normals(const PassState& state) {
+    return std::any_of(state.units.begin(), state.units.end(),
+                       [](const auto& unit) { return unit && unit->texgen != TexGen::none; });
+}
+
+void check_pass(const Checked& checked, const std::string& path, const ScenePass& pass) {
+    check_name(checked, path + ".mesh", "mesh", pass.mesh, checked.scene.meshes);
+    for (std::size_t i = 0; i < pass.textures.size(); ++i)
+        if (!pass.textures[i].empty())
+            check_name(checked, fmt::format("{}.units.{}.texture", path, i), "texture",
+                       pass.textures[i], checked.scene.textures);
+    if (!uses_normals(pass.state)) return;
+    check_normals(checked, path + ".mesh", pass.mesh);
+    if (is_singular(pass.state.modelview))
+        checked.fail(path + ".modelview",
+                     "its upper left 3x3 part has no inverse, which 'texgen' needs for normals");
+}
+
+void check_object(const Checked& checked, const std::string& path, const FactoredObject& object) {
+    check_name(checked, path + ".mesh", "mesh", object.mesh, checked.scene.meshes);
+    check_name(checked, path + ".material", "material", object.material, checked.scene.materials);
+    check_normals(checked, path + ".mesh", object.mesh);
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene, std::string_view file, bool may_be_absolute) {
+    const Checked checked{scene, file, may_be_absolute};
+    check_paths(checked);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        check_object(checked, fmt::format("objects.{}", i), scene.objects[i]);
+    for (std::size_t i = 0; i < scene.passes.size(); ++i)
+        check_pass(checked, fmt::format("passes.{}", i), scene.passes[i]);
+    if (scene.objects.empty() && scene.passes.empty())
+        checked.fail("", "needs at least one element in 'objects' or 'passes'");
+    if (!scene.objects.empty() && !scene.environment)
+        checked.fail("environment", "is missing, and 'objects' are lit by it");
+}
+
+}  // namespace twofold::scene_io

@@ -1,0 +1,30 @@
+#pragma once
+#include <string_view>
+
+#include "scenes/json_reader.hpp"
+#include "scenes/scene.hpp"
+
+/// The parts of a scene file, read one by one; `parse_scene` puts them together.
+namespace twofold::scene_io {
+
+/// Positions and distances: far beyond use, yet squares and products of a few stay finite.
+inline constexpr Range coordinates{.low = -1e9, .high = 1e9};
+inline constexpr Range unit_interval{.low = 0.0, .high = 1.0};
+inline constexpr std::size_t max_named = 256;  ///< meshes, textures, materials, objects, passes
+inline constexpr std::size_t max_lights = 4096;
+inline constexpr std::size_t max_indices = std::size_t{1} << 20;  ///< a file has no room for more
+
+EnvironmentSpec read_environment(const JsonValue& value);
+WhitePoint read_white(const JsonValue& value);
+Brdf read_material(const JsonValue& value);
+FactorSettings read_factorization(const JsonValue& value);
+MeshSpec read_mesh(const JsonValue& value);
+TextureSpec read_texture(const JsonValue& value);
+ScenePass read_pass(const JsonValue& value);
+
+/// What no single field can tell: names that must exist, matrices that must have an inverse, paths.
+/// @param may_be_absolute whether paths may be absolute
+/// @throws Error naming `file` and the field
+void check_scene(const Scene& scene, std::string_view file, bool may_be_absolute);
+
+}  // namespace twofold::scene_io

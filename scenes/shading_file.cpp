@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scenes/scene_names.hpp"
+#include "scenes/scene_parts.hpp"
+
+/// What decides the shading of objects: environment, white point, materials, factorisation.
+namespace twofold::scene_io {
+namespace {
+
+constexpr Range radiance{.low = 0.0, .high = 1e9};
+
+/// A vector that has a direction. Components below 1e-9 could vanish when squared and summed.
+Vec3 read_direction(const JsonValue& value) {
+    const Vec3 direction = value.vec3(coordinates);
+    if (max_component({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}) < 1e-9)
+        value.fail(fmt::format("[{}, {}, {}] is zero and has no direction", direction.x,
+                               direction.y, direction.z));
+    return direction;
+}
+
+DiscLight read_disc_light(const JsonValue& value) {
+    const JsonObject fields(value, {"direction", "half_angle_degrees", "radiance"});
+    const Range angle{.low = 0.0, .high = 180.0, .low_excluded = true};
+    return {.direction = read_direction(fields.at("direction")),
+            .half_angle = fields.at("half_angle_degrees").number(angle),
+            .radiance = fields.at("radiance").rgb(radiance)};
+}
+
+PaintedLatLong read_painted(const JsonValue& value) {
+    const JsonObject fields(value, {"background", "lights", "width", "height"});
+    PaintedLatLong painted;
+    painted.width = fields.integer("width", 4, 4096, painted.width);
+    painted.height = fields.integer("height", 2, 2048, painted.height);
+    PaintedEnvironment& environment = painted.environment;
+    environment.background = fields.rgb("background", radiance, environment.background);
+    if (const auto lights = fields.find("lights"))
+        for (const JsonValue& light : lights->elements(0, max_lights))
+            environment.discs.push_back(read_disc_light(light));
+    return painted;
+}
+
+DirectionalLights read_directional(const JsonValue& value) {
+    DirectionalLights result;
+    for (const JsonValue& light : value.elements(1, max_lights)) {
+        const JsonObject fields(light, {"direction", "irradiance"});
+        result.lights.push_back({.direction = read_direction(fields.at("direction")),
+                                 .irradiance = fields.at("irradiance").rgb(radiance)});
+    }
+    return result;
+}
+
+CookTorrance read_cook_torrance(const JsonValue& value) {
+    const JsonObject fields(value, {"diffuse", "specular", "f0", "lobes", "constant"});
+    CookTorrance brdf;
+    brdf.diffuse = fields.rgb("diffuse", unit_interval, brdf.diffuse);
+    brdf.specular = fields.rgb("specular", {.low = 0.0, .high = 100.0}, brdf.specular);
+    // eta = (1 + sqrt f0) / (1 - sqrt f0) has no value at 1.
+    brdf.f0 = fields.rgb("f0", {.low = 0.0, .high = 1.0, .high_excluded = true}, brdf.f0);
+    brdf.constant = fields.enumerator("constant", constant_names, brdf.constant);
+    const auto lobes = fields.find("lobes");
+    if (!lobes) return brdf;
+    brdf.lobes.clear();
+    double sum = 0.0;
+    for (const JsonValue& element : lobes->elements(1, 16)) {
+        const JsonObject lobe(element, {"m", "weight"});
+        brdf.lobes.push_back({.m = lobe.at("m").number({.low = 1e-4, .high = 10.0}),
+                              .weight = lobe.number("weight", unit_interval, 1.0)});
+        sum += brdf.lobes.back().weight;
+    }
+    if (std::abs(sum - 1.0) > 1e-6) lobes->fail(fmt::format("the weights sum to {}, not 1", sum));
+    return brdf;
+}
+
+ModifiedPhong read_modified_phong(const JsonValue& value) {
+    const JsonObject fields(value, {"diffuse", "specular", "exponent"});
+    const ModifiedPhong absent;
+    return {.diffuse = fields.rgb("diffuse", unit_interval, absent.diffuse),
+            .specular = fields.rgb("specular", unit_interval, absent.specular),
+            .exponent = fields.number("exponent", {.low = 0.0, .high = 1e6}, absent.exponent)};
+}
+
+}  // namespace
+
+EnvironmentSpec read_environment(const JsonValue& value) {
+    const JsonObject fields(value, {"latlong", "repair", "painted", "directional", "cells"});
+    const std::string_view kind = fields.one_of({"latlong", "painted", "directional"});
+    EnvironmentSpec spec;
+    spec.cells = fields.integer("cells", 1, 1 << 20, spec.cells);
+    if (const auto repair = fields.find("repair"); repair && kind != "latlong")
+        repair->fail("belongs to 'latlong' and there is none");
+    if (kind == "latlong")
+        spec.source = LatLongFile{.path = fields.at("latlong").text(),
+                                  .repair = fields.boolean("repair", false)};
+    else if (kind == "painted")
+        spec.source = read_painted(fields.at("painted"));
+    else
+        spec.source = read_directional(fields.at("directional"));
+    return spec;
+}
+
+WhitePoint read_white(const JsonValue& value) {
+    WhitePoint white;
+    if (!value.is_object()) {
+        white.radiance = value.number({.low = 0.0, .high = 1e12, .low_excluded = true});
+        return white;
+    }
+    const JsonObject fields(value, {"percentile"});
+    white.percentile =
+        fields.at("percentile").number({.low = 0.0, .high = 100.0, .low_excluded = true});
+    return white;
+}
+
+Brdf read_material(const JsonValue& value) {
+    const JsonObject fields(value, {"cook_torrance", "modified_phong"});
+    const std::string_view kind = fields.one_of({"cook_torrance", "modified_phong"});
+    if (kind == "cook_torrance") return read_cook_torrance(fields.at(kind));
+    return read_modified_phong(fields.at(kind));
+}
+
+FactorSettings read_factorization(const JsonValue& value) {
+    const JsonObject fields(value, {"method", "map_size", "guard", "samples", "held_out", "solver",
+                                    "tolerance", "iteration_limit", "floor", "cap", "row_weight",
+                                    "smoothness", "seam", "column_scaling", "fill_power"});
+    // The method first: it gives the values of all that the file does not say.
+    const Method method = fields.enumerator("method", method_names, FactorSettings{}.method);
+    const FactorSettings absent = method_preset(method);
+    const Range positive{.low = 0.0, .high = 1.0, .low_excluded = true};
+    const Range factor{.low = 0.0, .high = 1e6};
+    return {
+        .method = method,
+        .map_size = fields.integer("map_size", 4, 512, absent.map_size),
+        .guard = fields.number("guard", positive, absent.guard),
+        .samples = fields.integer("samples", 1, 10'000'000, absent.samples),
+        .held_out = fields.integer("held_out", 1, 10'000'000, absent.held_out),
+        .solver = fields.enumerator("solver", solver_names, absent.solver),
+        .tolerance = fields.number("tolerance", unit_interval, absent.tolerance),
+        .iteration_limit = fields.integer("iteration_limit", 0, 100'000, absent.iteration_limit),
+        .floor = fields.number("floor", positive, absent.floor),
+        .cap = fields.number("cap", factor, absent.cap),
+        .row_weight = fields.number("row_weight", {.low = 0.0, .high = 2.0}, absent.row_weight),
+        .smoothness = fields.number("smoothness", factor, absent.smoothness),
+        .seam = fields.number("seam", factor, absent.seam),
+        .column_scaling = fields.boolean("column_scaling", absent.column_scaling),
+        .fill_power = fields.number("fill_power", {.low = 0.0, .high = 16.0}, absent.fill_power)};
+}
+
+}  // namespace twofold::scene_io
