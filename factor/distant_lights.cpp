@@ -6,7 +6,7 @@
 namespace twofold {
 namespace {
 
-/// Far above the rounding of a dot product, far below any angle that matters: a block is skipped
+/// Far above the rounding of a dot product, far below any angle that matters: a patch is left out
 /// only where every n.l as the kernel rounds it is certainly not positive.
 constexpr double margin = 1e-9;
 
@@ -56,9 +56,9 @@ void DistantLights::push_back(Vec3 direction, Rgb weight) {
 
 DistantLights bound_blocks(DistantLights lights) {
     lights.cones.clear();
-    for (std::size_t first = 0; first < lights.size(); first += light_block) {
+    for (std::size_t first = 0; first < lights.size(); first += light_patch) {
         const std::size_t rest = lights.size() - first;
-        const std::size_t end = first + (rest < light_block ? rest : light_block);
+        const std::size_t end = first + (rest < light_patch ? rest : light_patch);
         lights.cones.push_back(bounding_cone(lights, first, end));
     }
     return lights;

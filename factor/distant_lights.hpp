@@ -10,12 +10,16 @@ namespace twofold {
 /// 3).
 inline constexpr std::size_t light_block = 256;
 
-/// A cone of directions around every light of one block, apex at the shaded point.
+/// Lights of one patch: a quarter of a block, the least that is left out of a sum as a whole.
+/// Smaller ones would leave out more, but begin and end the inner loops more often.
+inline constexpr std::size_t light_patch = 64;
+
+/// A cone of directions around every light of one patch, apex at the shaded point.
 struct LightCone {
     Vec3 axis;  ///< unit, world space
     double sine =
         2.0;  ///< sine of the half angle, rounded up; 2 where the cone is a half space or more
-    bool dark = false;  ///< every weight of the block is 0
+    bool dark = false;  ///< every weight of the patch is 0
 };
 
 /// An environment as infinitely distant point lights, the finite sum that *defines* the lighting
@@ -23,7 +27,7 @@ struct LightCone {
 struct DistantLights {
     std::vector<double> x, y, z;   ///< unit direction to the light, world space
     std::vector<double> r, g, b;   ///< W = radiance * solid angle, >= 0
-    std::vector<LightCone> cones;  ///< one a block, by bound_blocks(); empty: no block is skipped
+    std::vector<LightCone> cones;  ///< one a patch, by bound_blocks(); empty: nothing is left out
 
     std::size_t size() const { return x.size(); }
     std::size_t blocks() const { return (size() + light_block - 1) / light_block; }
@@ -32,7 +36,7 @@ struct DistantLights {
     void push_back(Vec3 direction, Rgb weight);
 };
 
-/// The same lights with the cone of each block filled in; the lighting sum is the same to the last
+/// The same lights with the cone of each patch filled in; the lighting sum is the same to the last
 /// bit and faster. To be called after the last push_back.
 DistantLights bound_blocks(DistantLights lights);
 

@@ -14,7 +14,8 @@
 namespace twofold {
 namespace {
 
-constexpr int tile = 16;  // 16 x 16 cells are one block of lights
+constexpr int tile_edge = 16;  // 16 x 16 cells are one block of lights
+constexpr int patch_edge = 8;  // 8 x 8 cells are one patch of it
 
 /// A grid of cells over the picture; with m > 1 over the picture cut into m x m pieces a texel.
 struct CellGrid {
@@ -169,16 +170,30 @@ Rgb cell_weight(const FloatImage& image, const CellGrid& grid, const CellExtent&
     return weight;
 }
 
-/// Cells tile by tile; within a tile, and from tile to tile, rows from the top.
+/// The cells of one square of the grid, rows from the top, in four smaller squares where it is
+/// larger than a patch of lights.
+void append_square(std::vector<CellExtent>& cells, const CellGrid& grid, int left, int top,
+                   int edge) {
+    if (edge > patch_edge) {
+        const int half = edge / 2;
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            append_square(cells, grid, left + quarter % 2 * half, top + quarter / 2 * half, half);
+        }
+        return;
+    }
+    for (int row = top; row < std::min(top + edge, grid.rows); ++row) {
+        for (int column = left; column < std::min(left + edge, grid.columns); ++column) {
+            cells.push_back(cell_extent(grid, column, row));
+        }
+    }
+}
+
+/// All cells, tile by tile from the left upper corner.
 std::vector<CellExtent> tiled_cells(const CellGrid& grid) {
     std::vector<CellExtent> cells;
-    for (int top = 0; top < grid.rows; top += tile) {
-        for (int left = 0; left < grid.columns; left += tile) {
-            for (int row = top; row < std::min(top + tile, grid.rows); ++row) {
-                for (int column = left; column < std::min(left + tile, grid.columns); ++column) {
-                    cells.push_back(cell_extent(grid, column, row));
-                }
-            }
+    for (int top = 0; top < grid.rows; top += tile_edge) {
+        for (int left = 0; left < grid.columns; left += tile_edge) {
+            append_square(cells, grid, left, top, tile_edge);
         }
     }
     return cells;

@@ -7,9 +7,10 @@
 #include "texunit/exact_math.hpp"
 #include "texunit/ordered_sum.hpp"
 
-// Each helper is one loop without a branch and is inlined into the block_sum of its material, which
-// is compiled once for each vector width. A light below the horizon needs no branch either: its
-// cosine is raised to 0, every other quantity stays finite, and its term comes out as +0.0.
+// Each helper is one loop over a run of neighbouring lights, without a branch, and is inlined into
+// the block_sum of its material, which is compiled once for each vector width. A light below the
+// horizon needs no branch either: its cosine is raised to 0, every other quantity stays finite, and
+// its term comes out as +0.0.
 
 namespace twofold {
 namespace {
@@ -18,6 +19,38 @@ namespace {
 struct alignas(64) Lanes {
     double at[light_block];
 };
+
+/// The terms of a block, a channel each; those of patches left out stay +0.0.
+using Terms = std::array<Lanes, 3>;
+
+/// Lights [first, first + count) of a block: patches without a gap between them.
+struct LightRun {
+    std::size_t first;
+    std::size_t count;
+};
+
+/// The first run of lit patches that begins at light `from` of the block or later; empty at the
+/// end.
+inline LightRun next_run(const LightBlock& block, std::size_t from) {
+    const auto lit = [&](std::size_t light) {
+        return (block.lit >> (light / light_patch) & 1U) != 0;
+    };
+    std::size_t first = from;
+    while (first < block.count && !lit(first)) {
+        first += light_patch;
+    }
+    std::size_t end = first;
+    while (end < block.count && lit(end)) {
+        end += light_patch;
+    }
+    first = first < block.count ? first : block.count;
+    return {first, (end < block.count ? end : block.count) - first};
+}
+
+inline Rgb sum_of(const Terms& terms, std::size_t count) {
+    return {ordered_block_sum(terms[0].at, count), ordered_block_sum(terms[1].at, count),
+            ordered_block_sum(terms[2].at, count)};
+}
 
 /// What Cook-Torrance needs of a light, apart from its colour.
 struct Geometry {
@@ -29,15 +62,15 @@ struct Geometry {
 
 /// With s = l + v and a = n.l + n.v: v.h = |s| / 2, n.h = a / |s|, tan^2 = (s^2 - a^2) / a^2 and
 /// G = min(1, 4 a min(n.l, n.v) / s^2); one quotient 1 / (a^2 s^2) serves both.
-[[gnu::always_inline]] inline void fill_geometry(Geometry& out, const LightBlock& block, Vec3 n,
-                                                 Vec3 v) {
-    const double* x = block.lights.x.data() + block.first;
-    const double* y = block.lights.y.data() + block.first;
-    const double* z = block.lights.z.data() + block.first;
+[[gnu::always_inline]] inline void fill_geometry(Geometry& out, const LightBlock& block,
+                                                 LightRun run, Vec3 n, Vec3 v) {
+    const double* x = block.lights.x.data() + block.first + run.first;
+    const double* y = block.lights.y.data() + block.first + run.first;
+    const double* z = block.lights.z.data() + block.first + run.first;
     const double seen = dot(n, v);
     const double n_v = seen < least_cosine ? least_cosine : seen;
     const double inverse = 1.0 / n_v;
-    for (std::size_t i = 0; i < block.count; ++i) {
+    for (std::size_t i = 0; i < run.count; ++i) {
         const double lit = n.x * x[i] + n.y * y[i] + n.z * z[i];
         const double n_l = lit > 0.0 ? lit : 0.0;
         const double sx = x[i] + v.x, sy = y[i] + v.y, sz = z[i] + v.z;
@@ -94,17 +127,40 @@ struct Geometry {
     }
 }
 
-[[gnu::always_inline]] inline double cook_torrance_channel(const Geometry& of,
-                                                           const Lanes& specular,
-                                                           const Lanes& fresnel, double diffuse,
-                                                           double scale, const double* weight,
-                                                           std::size_t count) {
-    Lanes term;
+[[gnu::always_inline]] inline void fill_channel(double* term, const Geometry& of,
+                                                const Lanes& specular, const Lanes& fresnel,
+                                                double diffuse, double scale, const double* weight,
+                                                std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        term.at[i] =
-            (diffuse * of.cosine.at[i] + scale * fresnel.at[i] * specular.at[i]) * weight[i];
+        term[i] = (diffuse * of.cosine.at[i] + scale * fresnel.at[i] * specular.at[i]) * weight[i];
     }
-    return ordered_block_sum(term.at, count);
+}
+
+/// One row of weights of the lights of a run.
+[[gnu::always_inline]] inline const double* weights(const LightBlock& block, LightRun run,
+                                                    std::size_t channel) {
+    const DistantLights& lights = block.lights;
+    const std::array<const double*, 3> rows = {lights.r.data(), lights.g.data(), lights.b.data()};
+    return rows[channel] + block.first + run.first;
+}
+
+[[gnu::always_inline]] inline void fill_run(Terms& terms, const CookTorranceTable& table,
+                                            const LightBlock& block, LightRun run,
+                                            const SurfaceView& at) {
+    Geometry geometry;
+    fill_geometry(geometry, block, run, at.n, at.v);
+    Lanes specular;
+    fill_specular(specular, geometry, table, run.count);
+    std::array<Lanes, 3> fresnel;
+    for (std::size_t k = 0; k < table.curves; ++k) {
+        fill_fresnel(fresnel[k], geometry, table.index_square_less_1[k], run.count);
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int channel = static_cast<int>(c);
+        fill_channel(terms[c].at + run.first, geometry, specular, fresnel[table.curve[c]],
+                     table.diffuse_over_pi[channel], table.scale[channel], weights(block, run, c),
+                     run.count);
+    }
 }
 
 /// The two cosines of a light that modified Phong needs.
@@ -113,12 +169,12 @@ struct PhongLanes {
     Lanes mirrored;  ///< max(0, r_v.l)
 };
 
-[[gnu::always_inline]] inline void fill_cosines(PhongLanes& out, const LightBlock& block, Vec3 n,
-                                                Vec3 r) {
-    const double* x = block.lights.x.data() + block.first;
-    const double* y = block.lights.y.data() + block.first;
-    const double* z = block.lights.z.data() + block.first;
-    for (std::size_t i = 0; i < block.count; ++i) {
+[[gnu::always_inline]] inline void fill_cosines(PhongLanes& out, const LightBlock& block,
+                                                LightRun run, Vec3 n, Vec3 r) {
+    const double* x = block.lights.x.data() + block.first + run.first;
+    const double* y = block.lights.y.data() + block.first + run.first;
+    const double* z = block.lights.z.data() + block.first + run.first;
+    for (std::size_t i = 0; i < run.count; ++i) {
         const double lit = n.x * x[i] + n.y * y[i] + n.z * z[i];
         const double along = r.x * x[i] + r.y * y[i] + r.z * z[i];
         out.cosine.at[i] = lit > 0.0 ? lit : 0.0;
@@ -176,76 +232,49 @@ constexpr double least_factor = 0x1p-500;
     }
 }
 
-[[gnu::always_inline]] inline double phong_channel(const PhongLanes& of, const Lanes& lobe,
-                                                   double diffuse, double scale,
-                                                   const double* weight, std::size_t count) {
-    Lanes term;
+[[gnu::always_inline]] inline void fill_channel(double* term, const PhongLanes& of,
+                                                const Lanes& lobe, double diffuse, double scale,
+                                                const double* weight, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        term.at[i] = (diffuse + scale * lobe.at[i]) * of.cosine.at[i] * weight[i];
+        term[i] = (diffuse + scale * lobe.at[i]) * of.cosine.at[i] * weight[i];
     }
-    return ordered_block_sum(term.at, count);
+}
+
+[[gnu::always_inline]] inline void fill_run(Terms& terms, const ModifiedPhongTable& table,
+                                            const LightBlock& block, LightRun run,
+                                            const SurfaceView& at) {
+    PhongLanes cosines;
+    fill_cosines(cosines, block, run, at.n, 2.0 * dot(at.n, at.v) * at.n - at.v);
+    Lanes lobe;
+    fill_lobe(lobe, cosines.mirrored, table.exponent, run.count);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int channel = static_cast<int>(c);
+        fill_channel(terms[c].at + run.first, cosines, lobe, table.diffuse_over_pi[channel],
+                     table.scale[channel], weights(block, run, c), run.count);
+    }
+}
+
+template <class Table>
+[[gnu::always_inline]] inline Rgb sum_of_runs(const Table& table, const LightBlock& block,
+                                              const SurfaceView& at) {
+    Terms terms{};
+    for (LightRun run = next_run(block, 0); run.count != 0;
+         run = next_run(block, run.first + run.count)) {
+        fill_run(terms, table, block, run, at);
+    }
+    return sum_of(terms, block.count);
 }
 
 }  // namespace
 
-CookTorranceTable tabulate(const CookTorrance& material) {
-    CookTorranceTable table;
-    table.diffuse_over_pi = material.diffuse / exact::pi;
-    table.scale = material.specular * cook_torrance_constant(material.constant);
-    for (const BeckmannLobe& lobe : material.lobes) {
-        if (lobe.weight > 0.0) {
-            const double square = lobe.m * lobe.m;
-            table.lobes.push_back({exact::log(lobe.weight / square), 1.0 / square});
-        }
-    }
-    for (int c = 0; c < 3; ++c) {
-        const double eta = refractive_index(material.f0[c]);
-        const double value = eta * eta - 1.0;
-        std::size_t k = 0;
-        while (k < table.curves && table.index_square_less_1[k] != value) {
-            ++k;
-        }
-        table.index_square_less_1[k] = value;
-        table.curve[static_cast<std::size_t>(c)] = k;
-        table.curves = k < table.curves ? table.curves : k + 1;
-    }
-    return table;
-}
-
-ModifiedPhongTable tabulate(const ModifiedPhong& material) {
-    const double scale = (material.exponent + 2.0) / (2.0 * exact::pi);
-    return {material.diffuse / exact::pi, material.specular * scale, material.exponent};
-}
-
 TWOFOLD_SIMD_CLONES
 Rgb block_sum(const CookTorranceTable& table, LightBlock block, const SurfaceView& at) {
-    Geometry geometry;
-    fill_geometry(geometry, block, at.n, at.v);
-    Lanes specular;
-    fill_specular(specular, geometry, table, block.count);
-    std::array<Lanes, 3> fresnel;
-    for (std::size_t k = 0; k < table.curves; ++k) {
-        fill_fresnel(fresnel[k], geometry, table.index_square_less_1[k], block.count);
-    }
-    const auto channel = [&](int c, const std::vector<double>& weight) {
-        return cook_torrance_channel(
-            geometry, specular, fresnel[table.curve[static_cast<std::size_t>(c)]],
-            table.diffuse_over_pi[c], table.scale[c], weight.data() + block.first, block.count);
-    };
-    return {channel(0, block.lights.r), channel(1, block.lights.g), channel(2, block.lights.b)};
+    return sum_of_runs(table, block, at);
 }
 
 TWOFOLD_SIMD_CLONES
 Rgb block_sum(const ModifiedPhongTable& table, LightBlock block, const SurfaceView& at) {
-    PhongLanes cosines;
-    fill_cosines(cosines, block, at.n, 2.0 * dot(at.n, at.v) * at.n - at.v);
-    Lanes lobe;
-    fill_lobe(lobe, cosines.mirrored, table.exponent, block.count);
-    const auto channel = [&](int c, const std::vector<double>& weight) {
-        return phong_channel(cosines, lobe, table.diffuse_over_pi[c], table.scale[c],
-                             weight.data() + block.first, block.count);
-    };
-    return {channel(0, block.lights.r), channel(1, block.lights.g), channel(2, block.lights.b)};
+    return sum_of_runs(table, block, at);
 }
 
 }  // namespace twofold

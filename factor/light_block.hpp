@@ -38,11 +38,13 @@ struct ModifiedPhongTable {
 CookTorranceTable tabulate(const CookTorrance& material);
 ModifiedPhongTable tabulate(const ModifiedPhong& material);
 
-/// Lights [first, first + count) of `lights`, 1 <= count <= light_block.
+/// Lights [first, first + count) of `lights`, 1 <= count <= light_block, without some of their
+/// patches.
 struct LightBlock {
     const DistantLights& lights;
     std::size_t first;
     std::size_t count;
+    unsigned lit;  ///< bit p is set where patch p may add something; the terms of others are +0.0
 };
 
 /// Sum of f(l_k, v; n) max(0, n.l_k) W_k over the block, in the order of docs/exactness.md,

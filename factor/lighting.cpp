@@ -14,20 +14,24 @@ namespace {
 /// Views a thread takes at a time: some milliseconds of work.
 constexpr std::size_t views_per_task = 64;
 
-/// A block all of whose terms are +0.0: black, or wholly below the horizon of n. Its block sum is
-/// +0.0 then, so leaving out the work changes no bit of the sum.
-bool adds_nothing(const DistantLights& lights, std::size_t block, Vec3 n) {
-    if (lights.cones.empty()) {
-        return false;
-    }
-    const LightCone& cone = lights.cones[block];
+/// A patch all of whose terms are +0.0: black, or wholly below the horizon of n. Adding +0.0
+/// changes no lane of a block sum, as lanes begin at +0.0 and are never -0.0: the sum is the same
+/// without the work.
+bool adds_nothing(const LightCone& cone, Vec3 n) {
     return cone.dark || dot(n, cone.axis) <= -cone.sine;
 }
 
-LightBlock light_block_at(const DistantLights& lights, std::size_t block) {
+LightBlock light_block_at(const DistantLights& lights, std::size_t block, Vec3 n) {
+    constexpr std::size_t patches = light_block / light_patch;
     const std::size_t first = block * light_block;
     const std::size_t rest = lights.size() - first;
-    return {lights, first, rest < light_block ? rest : light_block};
+    unsigned lit = 0;
+    for (std::size_t p = 0; p < patches && p * light_patch < rest; ++p) {
+        const bool bounded = !lights.cones.empty();
+        const bool nothing = bounded && adds_nothing(lights.cones[block * patches + p], n);
+        lit |= nothing ? 0U : 1U << p;
+    }
+    return {lights, first, rest < light_block ? rest : light_block, lit};
 }
 
 template <class Table>
@@ -37,9 +41,8 @@ Rgb radiance(const Table& table, const DistantLights& lights, const SurfaceView&
     }
     std::array<BlockTree, 3> trees;
     for (std::size_t k = 0; k < lights.blocks(); ++k) {
-        const Rgb sum = adds_nothing(lights, k, at.n)
-                            ? Rgb(0.0)
-                            : block_sum(table, light_block_at(lights, k), at);
+        const LightBlock block = light_block_at(lights, k, at.n);
+        const Rgb sum = block.lit == 0 ? Rgb(0.0) : block_sum(table, block, at);
         trees[0].add(sum.x);
         trees[1].add(sum.y);
         trees[2].add(sum.z);
