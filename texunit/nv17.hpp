@@ -40,8 +40,7 @@ struct Nv17 {
 
     /// Along s on both rows, each rounded to 8 bits, then along t; weights of 8 bits, cut.
     static int filter(int t00, int t10, int t01, int t11, double a, double b) {
-        const int wa = static_cast<int>(256.0 * a);
-        const int wb = static_cast<int>(256.0 * b);
+        const int wa = filter_weight(a), wb = filter_weight(b);
         return flerp(flerp(t00, t10, wa), flerp(t01, t11, wa), wb);
     }
 
@@ -55,6 +54,9 @@ struct Nv17 {
     static double to_real(int p) { return p / 255.0; }
 
   private:
+    /// floor(256 f) for the exact fraction f < 1, which binary64 may have rounded to 1 (T08).
+    static int filter_weight(double f) { return f < 1.0 ? static_cast<int>(256.0 * f) : 255; }
+
     struct EndWeights {
         int n0, n2;
     };
