@@ -149,7 +149,7 @@ WindowVertex<M> project(const ClipVertex& v, const Viewport& viewport) {
     out.x = snapped(window(0, viewport.offset.x), M::snap.fraction_bits);
     out.y = snapped(window(1, viewport.offset.y), M::snap.fraction_bits);
     out.z = window(2, viewport.offset.z);
-    out.inverse_w = static_cast<typename M::Real>(A::to_double(rw));
+    out.inverse_w = static_cast<typename M::Real>(A::to_double(A::emitted_reciprocal(rw)));
     out.color = M::vertex_color(words_of<A>(v.color));
     for (std::size_t u = 0; u < 2; ++u) {
         const auto coords = words_of<A>(v.coords[u]);

@@ -23,7 +23,7 @@ Word reciprocal(Word a);
 /// The form used for clip w: its exponent is held within 63..191, so 1/0 is 2^64.
 Word clip_reciprocal(Word w);
 
-/// 1 / sqrt(|a|) to 7.2e-7 relative.
+/// 1 / sqrt(|a|) to 7.31e-7 relative.
 Word reciprocal_sqrt(Word a);
 
 /// Colour component to byte: cut to 13 fraction bits, times 255, halves up, by sign for NaN and
@@ -50,6 +50,8 @@ struct Nv1xArithmetic {
     static Word sum(Word a, Word b, Word c, Word d) { return nv1x::sum(a, b, c, d); }
     static Word reciprocal(Word a) { return nv1x::reciprocal(a); }
     static Word clip_reciprocal(Word w) { return nv1x::clip_reciprocal(w); }
+    /// 1/w leaves the chip's transform engine without its low 8 bits.
+    static Word emitted_reciprocal(Word rw) { return rw & ~Word{0xff}; }
     static Word reciprocal_sqrt(Word a) { return nv1x::reciprocal_sqrt(a); }
 
     /// The chip makes r + (0,0,1) for SPHERE_MAP first and takes 1 off again for REFLECTION_MAP, so

@@ -18,6 +18,8 @@ struct IeeeArithmetic {
     static Word sum(Word a, Word b, Word c, Word d) { return a + b + c + d; }
     static Word reciprocal(Word a) { return Float{1} / a; }
     static Word clip_reciprocal(Word w) { return Float{1} / w; }
+    /// 1/w as the iterators get it.
+    static Word emitted_reciprocal(Word rw) { return rw; }
     static Word reciprocal_sqrt(Word a) { return Float{1} / std::sqrt(a); }
 
     /// r = 2 (n.e) n - e for the unit vector e from the vertex to the eye, component by component:
