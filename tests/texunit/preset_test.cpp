@@ -1,0 +1,74 @@
+#include "texunit/preset.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "texunit/presets.hpp"
+
+namespace {
+using namespace twofold;
+}
+
+TEST_CASE("every preset states a rule and its source for the same 19 stages", "[preset]") {
+    for (const Preset preset : all_presets) {
+        CAPTURE(name_of(preset));
+        const auto rules = stage_rules(preset);
+        REQUIRE(rules.size() == 19);
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            CHECK(rules[i].stage == stage_rules(Preset::ideal64)[i].stage);
+            CHECK_FALSE(rules[i].rule.empty());
+            CHECK_FALSE(rules[i].source.empty());
+        }
+        const MarkCounts n = count_marks(preset);
+        CHECK(n.sourced + n.inferred + n.chosen == 19);
+    }
+}
+
+TEST_CASE("preset nv17 stands on 7 sourced, 4 inferred and 8 chosen stages", "[preset]") {
+    const MarkCounts n = count_marks(Preset::nv17);
+    CHECK(n.sourced == 7);
+    CHECK(n.inferred == 4);
+    CHECK(n.chosen == 8);
+    CHECK(exactness_sentence(Preset::nv17) ==
+          "bit-exact to preset nv17 v1: 7 stages sourced, 4 inferred, 8 chosen");
+}
+
+TEST_CASE("the marks of preset nv17 are those of the hardware reference, stage by stage",
+          "[preset]") {
+    using enum Mark;
+    const std::array<Mark, 19> expected{
+        spec,   spec, spec,   chosen,   inferred, chosen,   chosen, inferred, chosen, chosen,
+        chosen, spec, chosen, inferred, spec,     inferred, spec,   spec,     chosen};
+    const auto rules = stage_rules(Preset::nv17);
+    REQUIRE(rules.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CAPTURE(i + 1, rules[i].stage);
+        CHECK(rules[i].mark == expected[i]);
+    }
+}
+
+TEST_CASE("no preset claims a measurement: nothing public was measured on these chips",
+          "[preset]") {
+    for (const Preset preset : all_presets)
+        CHECK(std::ranges::none_of(stage_rules(preset),
+                                   [](const StageRule& r) { return r.mark == Mark::measured; }));
+}
+
+TEST_CASE("a preset is found by its name and by nothing else", "[preset]") {
+    for (const Preset preset : all_presets) CHECK(preset_named(name_of(preset)) == preset);
+    CHECK_FALSE(preset_named("geforce4"));
+    CHECK_FALSE(preset_named(""));
+    CHECK_FALSE(preset_named("NV17"));
+}
+
+TEST_CASE("each preset's numeric model carries that preset's name", "[preset]") {
+    for (const Preset preset : all_presets)
+        CHECK(with_model(preset, []<class M>(M) { return M::preset; }) == preset);
+}
+
+TEST_CASE("marks have the names that reports print", "[preset]") {
+    CHECK(name_of(Mark::spec) == "spec");
+    CHECK(name_of(Mark::measured) == "measured");
+    CHECK(name_of(Mark::inferred) == "inferred");
+    CHECK(name_of(Mark::chosen) == "chosen");
+}
