@@ -235,11 +235,17 @@ TEST_CASE("matrices are written row by row") {
     CHECK(pass.state.modelview == Mat4{1.0});
 }
 
-TEST_CASE("all shipped scenes are read") {
+TEST_CASE("all shipped scenes are read, and the files that they name are there") {
     for (const std::string& name : shipped) {
         INFO(name);
         const Scene scene = read_scene(folder / name);
         CHECK(scene.presets.size() == all_presets.size());
         CHECK_FALSE(scene.title.empty());
+        for (const auto& [key, mesh] : scene.meshes)
+            if (const auto* file = std::get_if<MeshFile>(&mesh))
+                CHECK(std::filesystem::exists(folder / file->path));
+        if (!scene.environment) continue;
+        if (const auto* file = std::get_if<LatLongFile>(&scene.environment->source))
+            CHECK(std::filesystem::exists(folder / file->path));
     }
 }
