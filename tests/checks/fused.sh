@@ -5,6 +5,7 @@
 # prints the first hits of each archive; exit 0 when there are none, 1 otherwise, 2 when it cannot tell
 set -u -o pipefail
 here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=tests/checks/build_core.sh
 . "$here/build_core.sh"
 
 flags="-O3 -march=native"

@@ -7,6 +7,7 @@
 # prints "archive: symbol" for each; exit 0 when there are none, 1 otherwise, 2 when it cannot tell
 set -u -o pipefail
 here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=tests/checks/build_core.sh
 . "$here/build_core.sh"
 compiler=$1
 build=$2
@@ -20,12 +21,19 @@ if ! grep -qx pow <<<"$provided"; then
     exit 2
 fi
 
+# OpenImageIO's headers bring a header-only fmt into image_file, whose printing of numbers calls ceil; that is
+# exact by definition and reaches no pixel.
+allowed() {
+    if [ "$1" = libimage_file.a ]; then echo '((sqrt|floor|fabs)f?|ceil)'; else echo '(sqrt|floor|fabs)f?'; fi
+}
+
 found=0
 for archive in $(archives "$build"); do
+    name=$(basename "$archive")
     used=$(nm -u "$archive" | awk '$1 == "U" {sub(/@.*/, "", $2); print $2}' | sort -u) || exit 2
     while read -r symbol; do
-        echo "$(basename "$archive"): $symbol"
+        echo "$name: $symbol"
         found=1
-    done < <(comm -12 <(echo "$provided") <(echo "$used") | grep -vxE '(sqrt|floor|fabs)f?')
+    done < <(comm -12 <(echo "$provided") <(echo "$used") | grep -vxE "$(allowed "$name")")
 done
 exit $found
