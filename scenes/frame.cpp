@@ -74,7 +74,7 @@ void add_four_passes(FrameBuilder& b, const FactoredObject& object,
                      const FactoredLighting& lighting, std::size_t textures) {
     PassState state = object_state(b, object);
     state.color = Vec4{lighting.scale_color, 1.0};
-    state.alpha_test = AlphaTest{CompareFunc::gequal, 0.5};
+    state.alpha_test = AlphaTest{CompareFunc::gequal, 1.0};
     constexpr std::array faces{Face::front, Face::back};
     for (std::size_t i = 0; i < 2; ++i)
         for (std::size_t j = 0; j < 2; ++j) {
