@@ -69,7 +69,9 @@ TextureUnitState factor_unit(const FrameBuilder& b, TexGen texgen, std::size_t t
 }
 
 /// The four passes of the paper: every pixel's n and r_v lie on one face each; the alpha test keeps
-/// the pass that has both.
+/// the pass that has both. Its reference is 1: a footprint wholly inside the opaque disc, which
+/// reaches past the rim, gives exactly 1 in every preset, so no pixel is lost at the seam and every
+/// pixel drawn has alpha 1.
 void add_four_passes(FrameBuilder& b, const FactoredObject& object,
                      const FactoredLighting& lighting, std::size_t textures) {
     PassState state = object_state(b, object);
