@@ -1,0 +1,330 @@
+#include "texunit/image_file.hpp"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "texunit/atomic_file.hpp"
+#include "texunit/error.hpp"
+
+namespace twofold {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+constexpr int max_side = 16384;
+constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+constexpr int max_channels = 4;
+constexpr std::size_t max_file_bytes = std::size_t{1} << 32;
+
+/// A format that is read, and how OpenImageIO calls it.
+struct Format {
+    std::string_view magic;
+    const char* reader;
+    /// What its compression can reach at best: a header that claims more pixels than the file can
+    /// hold is refused before they are allocated. A Radiance run is 127 pixels in 8 bytes; deflate
+    /// reaches 1032 : 1, which is 8256 one-bit pixels of a PNG a byte.
+    std::int64_t max_pixels_per_byte;
+};
+
+constexpr std::array<Format, 7> formats{{{"#?", "hdr", 16},
+                                         {"\x76\x2f\x31\x01", "openexr", 1032},
+                                         {"\x89PNG\r\n\x1a\n", "png", 8256},
+                                         {"PF", "pnm", 1},
+                                         {"Pf", "pnm", 1},
+                                         {"P6", "pnm", 1},
+                                         {"P3", "pnm", 1}}};
+
+Error bad_file(const std::string& name, const std::string& what) {
+    return Error(ExitCode::bad_file, name + ": " + what);
+}
+
+bool starts_with(const Bytes& bytes, std::string_view magic) {
+    return bytes.size() >= magic.size() &&
+           std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
+}
+
+std::string first_bytes(const Bytes& bytes) {
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size() && i < 8; ++i)
+        text += fmt::format("{}{:02x}", i == 0 ? "" : " ", bytes[i]);
+    return text;
+}
+
+const Format& identify(const Bytes& bytes, const std::string& name) {
+    if (bytes.empty()) throw bad_file(name, "empty file");
+    if (is_git_lfs_pointer(bytes))
+        throw bad_file(name,
+                       "a Git LFS pointer instead of the picture; fetch it with 'git lfs pull'");
+    for (const Format& format : formats)
+        if (starts_with(bytes, format.magic)) return format;
+    throw bad_file(name, "unknown format (starts with " + first_bytes(bytes) +
+                             "); readable are HDR, OpenEXR, PFM, PPM and PNG");
+}
+
+/// An opened picture. The reader refers to the proxy, so it is declared after it and destroyed
+/// before.
+struct Input {
+    std::string name;
+    std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy;
+    std::unique_ptr<OIIO::ImageInput> reader;
+    OIIO::ImageSpec spec;
+};
+
+/// OpenImageIO's own limit is one setting per process; it stands behind the checks made here.
+void limit_open_image_io() {
+    static const bool done = OIIO::attribute("limits:imagesize_MB", 4096);
+    if (!done) throw Error(ExitCode::failure, "OpenImageIO: no setting limits:imagesize_MB");
+}
+
+Error reader_error(const Input& input, const char* what) {
+    const std::string reason = input.reader->geterror();
+    return bad_file(input.name, fmt::format("{} {} data: {}", what, input.reader->format_name(),
+                                            reason.empty() ? "no reason given" : reason));
+}
+
+/// Opens with the reader of `format` alone. All four read from memory in OpenImageIO 2.4; one that
+/// does not would have to open the file by name, past the bytes that were checked, so it is
+/// refused.
+Input open_input(const Bytes& bytes, const Format& format, const std::string& name) {
+    limit_open_image_io();
+    Input input{name,
+                std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
+                OIIO::ImageInput::create(format.reader),
+                {}};
+    if (!input.reader || !input.reader->supports("ioproxy"))
+        throw bad_file(name, fmt::format("OpenImageIO cannot read {} from memory", format.reader));
+    input.reader->set_ioproxy(input.proxy.get());
+    OIIO::ImageSpec configuration;
+    configuration.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input.reader->open(format.reader, input.spec, configuration))
+        throw reader_error(input, "damaged");
+    return input;
+}
+
+void check_size(const OIIO::ImageSpec& spec, std::int64_t pixels_possible,
+                const std::string& name) {
+    if (spec.width < 1 || spec.height < 1 || spec.width > max_side || spec.height > max_side ||
+        std::int64_t{spec.width} * spec.height > max_pixels)
+        throw bad_file(name, fmt::format("{} x {} pixels, allowed are 1 to {} a side", spec.width,
+                                         spec.height, max_side));
+    if (std::int64_t{spec.width} * spec.height > pixels_possible)
+        throw bad_file(name, fmt::format("{} x {} pixels do not fit into a file of this length: "
+                                         "truncated or damaged",
+                                         spec.width, spec.height));
+    if (spec.nchannels < 1 || spec.nchannels > max_channels)
+        throw bad_file(name, fmt::format("{} channels, allowed are 1 to 4", spec.nchannels));
+    if (spec.tile_width > max_side || spec.tile_height > max_side)
+        throw bad_file(name, fmt::format("tiles of {} x {}", spec.tile_width, spec.tile_height));
+}
+
+/// Refuses by name what would otherwise be read as something else than it is.
+void check_layout(const OIIO::ImageSpec& spec, const std::string& name) {
+    if (spec.deep || spec.depth > 1) throw bad_file(name, "a deep or volume image");
+    if (spec.x != 0 || spec.y != 0 || spec.width != spec.full_width ||
+        spec.height != spec.full_height)
+        throw bad_file(name, "data window and display window differ; crop or pad it first");
+    if (spec.get_int_attribute("Orientation", 1) != 1)
+        throw bad_file(name, "rows or columns are not stored from the top left; turn it first");
+    const auto& names = spec.channelnames;
+    if (spec.nchannels >= 3 && (names[0] != "R" || names[1] != "G" || names[2] != "B"))
+        throw bad_file(name, fmt::format("channels {}, {}, {} where R, G, B are expected", names[0],
+                                         names[1], names[2]));
+    for (int c = 0; c < spec.nchannels; ++c)
+        if (spec.channelformat(c) == OIIO::TypeDesc::UINT)
+            throw bad_file(name, "32-bit integer channels, which have no value as a colour");
+}
+
+/// libpng stops at the last row, so a file that lost its end would pass; walk the chunks to IEND
+/// instead.
+void check_png_end(const Bytes& bytes, const std::string& name) {
+    std::size_t at = 8;
+    while (bytes.size() - at >= 12) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
+        if (length > bytes.size() - at - 12) break;
+        if (std::memcmp(&bytes[at + 4], "IEND", 4) == 0) return;
+        at += length + 12;
+    }
+    throw bad_file(name, "truncated PNG: it ends before its end mark");
+}
+
+/// OpenEXR's DWA packs up to 64 equal pixels into one number before it deflates.
+std::int64_t most_pixels(std::size_t file_bytes, const Format& format,
+                         const OIIO::ImageSpec& spec) {
+    const std::string compression = spec.get_string_attribute("compression");
+    const int packed = compression.starts_with("dwa") ? 64 : 1;
+    return static_cast<std::int64_t>(file_bytes) * format.max_pixels_per_byte * packed;
+}
+
+Input open_checked(const Bytes& bytes, const std::string& name) {
+    const Format& format = identify(bytes, name);
+    if (std::string_view(format.reader) == "png") check_png_end(bytes, name);
+    Input input = open_input(bytes, format, name);
+    check_size(input.spec, most_pixels(bytes.size(), format, input.spec), name);
+    check_layout(input.spec, name);
+    return input;
+}
+
+std::size_t sample_count(const OIIO::ImageSpec& spec) {
+    return static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+           static_cast<std::size_t>(spec.nchannels);
+}
+
+/// All samples as T, and no error left behind: read_image() alone does not tell all of them.
+template <typename T>
+std::vector<T> read_samples(Input& input, OIIO::TypeDesc type) {
+    std::vector<T> samples(sample_count(input.spec));
+    const bool done = input.reader->read_image(0, 0, 0, input.spec.nchannels, type, samples.data());
+    if (!done || input.reader->has_error()) throw reader_error(input, "truncated or damaged");
+    return samples;
+}
+
+/// What the header says and the samples do not. Dividing by an EXPOSURE of 0 would give Inf, and
+/// files carry it without having been scaled, so both numbers are only passed on (hard case D05).
+std::vector<std::string> notes_of(const OIIO::ImageSpec& spec) {
+    std::vector<std::string> notes;
+    for (const auto& [attribute, header] :
+         {std::pair("hdr:exposure", "EXPOSURE"), std::pair("oiio:Gamma", "GAMMA")}) {
+        const float value = spec.get_float_attribute(attribute, 1.0F);
+        if (value != 1.0F)
+            notes.push_back(fmt::format("{}={} in the header is not applied", header, value));
+    }
+    const int parts = spec.get_int_attribute("oiio:subimages", 1);
+    if (parts > 1) notes.push_back(fmt::format("the first of {} parts is used", parts));
+    return notes;
+}
+
+/// Integers as fractions of their maximum, by a division that rounds correctly; OpenImageIO
+/// multiplies by a rounded 1 / maximum, which is off by a bit for 126 of the 256 bytes.
+template <typename T>
+std::vector<float> read_fractions(Input& input, OIIO::TypeDesc type) {
+    const std::vector<T> samples = read_samples<T>(input, type);
+    std::vector<float> fractions(samples.size());
+    std::transform(samples.begin(), samples.end(), fractions.begin(), [](T sample) {
+        return static_cast<float>(sample) / static_cast<float>(std::numeric_limits<T>::max());
+    });
+    return fractions;
+}
+
+std::vector<float> read_floats(Input& input) {
+    if (input.spec.format == OIIO::TypeDesc::UINT8)
+        return read_fractions<std::uint8_t>(input, OIIO::TypeDesc::UINT8);
+    if (input.spec.format == OIIO::TypeDesc::UINT16)
+        return read_fractions<std::uint16_t>(input, OIIO::TypeDesc::UINT16);
+    return read_samples<float>(input, OIIO::TypeDesc::FLOAT);
+}
+
+ReadImage decode_float(const Bytes& bytes, const std::string& name) {
+    Input input = open_checked(bytes, name);
+    ReadImage result{{input.spec.width, input.spec.height, input.spec.nchannels, {}},
+                     notes_of(input.spec)};
+    result.image.samples = read_floats(input);
+    return result;
+}
+
+/// One pixel of 1 to 4 channels: grey, grey and alpha, RGB, RGBA.
+Rgba8 spread(const unsigned char* s, int channels) {
+    switch (channels) {
+        case 1:
+            return {s[0], s[0], s[0], 255};
+        case 2:
+            return {s[0], s[0], s[0], s[1]};
+        case 3:
+            return {s[0], s[1], s[2], 255};
+        default:
+            return {s[0], s[1], s[2], s[3]};
+    }
+}
+
+ByteImage decode_png(const Bytes& bytes, const std::string& name) {
+    if (std::string_view(identify(bytes, name).reader) != "png")
+        throw bad_file(name, "not a PNG file");
+    Input input = open_checked(bytes, name);
+    if (input.spec.format != OIIO::TypeDesc::UINT8)
+        throw bad_file(name, "more than 8 bits a channel");
+    const auto samples = read_samples<unsigned char>(input, OIIO::TypeDesc::UINT8);
+    const auto channels = static_cast<std::size_t>(input.spec.nchannels);
+    ByteImage image{input.spec.width, input.spec.height, {}};
+    image.pixels.reserve(samples.size() / channels);
+    for (std::size_t i = 0; i < samples.size(); i += channels)
+        image.pixels.push_back(spread(&samples[i], input.spec.nchannels));
+    return image;
+}
+
+/// A picture that cannot be written is the caller's mistake, so no file is named.
+OIIO::ImageSpec checked_spec(int width, int height, int channels, std::size_t samples,
+                             OIIO::TypeDesc type) {
+    const bool sizes_fit = width >= 1 && height >= 1 && width <= max_side && height <= max_side &&
+                           channels >= 1 && channels <= max_channels;
+    OIIO::ImageSpec spec =
+        sizes_fit ? OIIO::ImageSpec(width, height, channels, type) : OIIO::ImageSpec();
+    if (!sizes_fit || sample_count(spec) != samples)
+        throw Error(ExitCode::failure,
+                    fmt::format("picture: {} x {} pixels of {} channels with {} samples", width,
+                                height, channels, samples));
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    return spec;
+}
+
+Bytes encode(const char* format, const OIIO::ImageSpec& spec, const void* samples) {
+    Bytes bytes;
+    OIIO::Filesystem::IOVecOutput proxy(bytes);
+    const auto writer = OIIO::ImageOutput::create(format);
+    if (!writer || !writer->supports("ioproxy"))
+        throw bad_file(format, "OpenImageIO cannot write this format to memory");
+    writer->set_ioproxy(&proxy);
+    const bool written = writer->open(format, spec) && writer->write_image(spec.format, samples);
+    const bool closed = writer->close();
+    const std::string reason = writer->geterror();  // set even where all calls reported success
+    if (!written || !closed || !reason.empty())
+        throw bad_file(format, "encoding failed: " + reason);
+    return bytes;
+}
+
+}  // namespace
+
+ReadImage read_float_image(const std::filesystem::path& path) {
+    return decode_float(read_file(path, max_file_bytes), path.string());
+}
+
+ByteImage read_png(const std::filesystem::path& path) {
+    return decode_png(read_file(path, max_file_bytes), path.string());
+}
+
+std::vector<unsigned char> encode_png(const ByteImage& image) {
+    static_assert(sizeof(Rgba8) == 4, "pixels are handed over as they lie");
+    const OIIO::ImageSpec spec =
+        checked_spec(image.width, image.height, 4, image.pixels.size() * 4, OIIO::TypeDesc::UINT8);
+    Bytes bytes = encode("png", spec, image.pixels.data());
+    if (decode_png(bytes, "png").pixels != image.pixels)
+        throw bad_file("png", "encoding changed the picture");
+    return bytes;
+}
+
+std::vector<unsigned char> encode_exr(const FloatImage& image) {
+    OIIO::ImageSpec spec = checked_spec(image.width, image.height, image.channels,
+                                        image.samples.size(), OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    // Otherwise the writer stores the time of day, and no two files are equal.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
+    Bytes bytes = encode("openexr", spec, image.samples.data());
+    const FloatImage decoded = decode_float(bytes, "openexr").image;
+    // Bit patterns, not values: NaN differs from itself and -0 equals 0.
+    if (decoded.samples.size() != image.samples.size() ||
+        std::memcmp(decoded.samples.data(), image.samples.data(),
+                    image.samples.size() * sizeof(float)) != 0)
+        throw bad_file("openexr", "encoding changed the picture");
+    return bytes;
+}
+
+}  // namespace twofold
