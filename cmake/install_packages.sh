@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing: install_packages.sh build|check
+# docs/dependencies.md says what each is for.
+set -euo pipefail
+
+build=(ca-certificates g++ cmake ninja-build pkg-config libglm-dev libfmt-dev libtbb-dev
+       nlohmann-json3-dev libcli11-dev libopenimageio-dev)
+check=("${build[@]}" clang catch2 libmpfr-dev libgmm++-dev libtinyobjloader-dev libeigen3-dev
+       binutils git python3 python3-jsonschema chromium)
+
+case "${1:-}" in
+    build) wanted=("${build[@]}") ;;
+    check) wanted=("${check[@]}") ;;
+    *) echo "usage: $0 build|check" >&2; exit 2 ;;
+esac
+
+missing=()
+for package in "${wanted[@]}"; do
+    status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "install as root or with sudo: ${missing[*]}" >&2; exit 2; }
+    as_root=(sudo)
+fi
+echo "installing: ${missing[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
