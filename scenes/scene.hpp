@@ -106,7 +106,7 @@ struct ScenePass {
 
 struct Scene {
     std::string title;
-    std::string directory;  ///< of the scene file: relative paths start here; not a field of the file
+    std::string directory;  ///< where relative paths start: that of the scene file, unless it names one
     ImageSpec image;
     Camera camera;
     std::optional<EnvironmentSpec> environment;  ///< needed when there are objects
