@@ -5,7 +5,7 @@ set -euo pipefail
 
 build=(ca-certificates g++ cmake ninja-build pkg-config libglm-dev libfmt-dev libtbb-dev
        nlohmann-json3-dev libcli11-dev libopenimageio-dev)
-check=("${build[@]}" clang catch2 libmpfr-dev libgmm++-dev libtinyobjloader-dev libeigen3-dev
+check=("${build[@]}" clang catch2 libmpfr-dev libgmm++-dev libtinyobjloader-dev
        binutils git python3 python3-jsonschema chromium)
 
 case "${1:-}" in
