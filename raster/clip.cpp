@@ -8,13 +8,14 @@ namespace {
 /// Smallest w that is drawn: keeps 1/w and everything divided by it finite. @source chosen
 constexpr double smallest_w = 1.0 / (1 << 30);
 
-/// Signed distances of a vertex from the seven planes; inside is >= 0.
+/// Signed distances of a vertex from the seven planes; inside is >= 0. The plane of w comes first:
+/// behind it all w are positive.
 std::array<double, 7> distances(const Vec4& c, const Viewport& view) {
     const double x = c.x + view.offset.x * c.w, y = c.y + view.offset.y * c.w;
     const double z = c.z + view.offset.z * c.w;
-    return {z,
+    return {c.w - smallest_w,
+            z,
             c.w - z,
-            c.w - smallest_w,
             guard_band * c.w + x,
             guard_band * c.w - x,
             guard_band * c.w + y,
@@ -44,13 +45,46 @@ bool usable(const Vec4& c) {
     return true;
 }
 
-ClipVertex between(const ClipVertex& inside, const ClipVertex& outside, double t) {
+/// `c`, which rounding left beside the plane it was cut at, moved onto that plane: w is never 0 or
+/// less and x / w, y / w, z / w keep within their bounds even where ends lie 2^64 apart.
+Vec4 on_plane(Vec4 c, std::size_t plane, const Viewport& view) {
+    switch (plane) {
+        case 0:
+            c.w = smallest_w;
+            break;
+        case 1:
+        case 2:
+            c.z = ((plane == 1 ? 0.0 : 1.0) - view.offset.z) * c.w;
+            break;
+        case 3:
+        case 4:
+            c.x = ((plane == 3 ? -guard_band : guard_band) - view.offset.x) * c.w;
+            break;
+        default:
+            c.y = ((plane == 5 ? -guard_band : guard_band) - view.offset.y) * c.w;
+    }
+    return c;
+}
+
+/// The point where an edge meets a plane, from the distances of its ends. The place is a sum of
+/// weighted ends, which is accurate beside the larger of the two however far apart they are;
+/// attributes are an offset from the inside end, so that a constant stays exact.
+ClipVertex between(const ClipVertex& inside, const ClipVertex& outside, double inside_distance,
+                   double outside_distance) {
+    const double span = inside_distance - outside_distance;
+    const double t = inside_distance / span;
     ClipVertex v;
-    v.clip = inside.clip + t * (outside.clip - inside.clip);
+    v.clip = (-outside_distance / span) * inside.clip + t * outside.clip;
     v.color = inside.color + t * (outside.color - inside.color);
     for (std::size_t u = 0; u < 2; ++u)
         v.coords[u] = inside.coords[u] + t * (outside.coords[u] - inside.coords[u]);
     return v;
+}
+
+/// Rounding can make the outline of a sliver cross a plane more than twice; corners that the array
+/// has no room for are left out.
+void append(ClippedPolygon& polygon, const ClipVertex& v) {
+    if (polygon.size < polygon.vertices.size()) polygon.vertices[polygon.size++] = v;
 }
 
 /// Sutherland and Hodgman's step: the part of the polygon inside one plane.
@@ -60,9 +94,11 @@ ClippedPolygon cut(const ClippedPolygon& in, std::size_t plane, const Viewport& 
         const ClipVertex& a = in.vertices[i];
         const ClipVertex& b = in.vertices[(i + 1) % in.size];
         const double da = distances(a.clip, view)[plane], db = distances(b.clip, view)[plane];
-        if (da >= 0.0) out.vertices[out.size++] = a;
-        if (da >= 0.0 && db < 0.0) out.vertices[out.size++] = between(a, b, da / (da - db));
-        if (da < 0.0 && db >= 0.0) out.vertices[out.size++] = between(b, a, db / (db - da));
+        if (da >= 0.0) append(out, a);
+        if ((da >= 0.0) == (db >= 0.0)) continue;
+        ClipVertex v = da >= 0.0 ? between(a, b, da, db) : between(b, a, db, da);
+        v.clip = on_plane(v.clip, plane, view);
+        append(out, v);
     }
     return out;
 }
