@@ -113,10 +113,12 @@ std::vector<std::string> sample_warnings(const LightingSamples& fit,
                         unknowns, wanted_samples_per_unknown)};
 }
 
-/// 8 bits cost more than they should: a few texels own the maximum and the rest is stored in too
+/// The factors are of no use in 8 bits: a few texels own the maximum and the rest is stored in too
 /// few levels, or as 0.
 bool bytes_are_too_few(const ChannelFit& fit) {
-    return fit.byte_rms > 1.3 * fit.relative_rms && fit.byte_rms > fit.relative_rms + 0.02;
+    const bool much_worse =
+        fit.byte_rms > 1.3 * fit.relative_rms && fit.byte_rms > fit.relative_rms + 0.02;
+    return much_worse || !(fit.relative_rms < 1.0);
 }
 
 std::vector<std::string> channel_warnings(const FactoredLighting& result,
@@ -137,12 +139,11 @@ std::vector<std::string> channel_warnings(const FactoredLighting& result,
     if (bytes_are_too_few(fit)) {
         const ByteLoss& first = result.t1.loss[channel];
         const ByteLoss& second = result.t2.loss[channel];
-        warnings.push_back(
-            fmt::format("{}: 8 bits raise the relative error from {:.3f} to {:.3f}: {:.1f} % of t1 "
-                        "and {:.1f} % "
-                        "of t2 are stored as 0, {} and {} levels are left below the maximum",
-                        name, fit.relative_rms, fit.byte_rms, 100.0 * first.zero_share,
-                        100.0 * second.zero_share, first.levels, second.levels));
+        warnings.push_back(fmt::format(
+            "{}: relative error {:.3g}, in 8 bits {:.3g}; {:.1f} % of t1 and {:.1f} % of t2 are "
+            "stored as 0, {} and {} levels are left below the maximum",
+            name, fit.relative_rms, fit.byte_rms, 100.0 * first.zero_share,
+            100.0 * second.zero_share, first.levels, second.levels));
     }
     return warnings;
 }

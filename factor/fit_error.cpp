@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "factor/vector_arithmetic.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/fixed.hpp"
 #include "texunit/ordered_sum.hpp"
@@ -38,14 +39,15 @@ std::vector<double> as_bytes(std::span<const double> texels) {
     return stored;
 }
 
+/// |P - L| / |L|, each in units of its own largest element: barely touched texels of an
+/// unregularised fit make products whose squares overflow.
 double relative_rms_of(const Compared& c) {
-    const double error = ordered_sum(c.product.size(), [&](std::size_t i) {
-        const double difference = c.product[i] - c.radiance[i];
-        return difference * difference;
-    });
-    const double square = ordered_sum(c.radiance.size(),
-                                      [&](std::size_t i) { return c.radiance[i] * c.radiance[i]; });
-    return square > 0.0 ? std::sqrt(error / square) : 0.0;
+    const Vector error = minus(c.product, c.radiance);
+    const int error_exponent = binary_exponent(largest_magnitude(error));
+    const int radiance_exponent = binary_exponent(largest_magnitude(c.radiance));
+    const double ratio = norm(times_power_of_two(error, -error_exponent)) /
+                         norm(times_power_of_two(c.radiance, -radiance_exponent));
+    return times_power_of_two(ratio, error_exponent - radiance_exponent);
 }
 
 double log_rms_of(const Compared& c, double floor) {
