@@ -1,0 +1,77 @@
+#include "factor/parametrization.hpp"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "factor/directions.hpp"
+
+using namespace twofold;
+
+TEST_CASE("the reflected view has unit length and the normal's cosine of the view") {
+    for (const SurfaceView& at : surface_views(1000, 3)) {
+        const Vec3 r = pi_2(at);
+        REQUIRE(length(r) == Approx(1.0).epsilon(1e-14));
+        REQUIRE(dot(at.n, r) == Approx(dot(at.n, at.v)).margin(1e-14));
+        // OpenGL's REFLECTION_MAP: u - 2 n (n.u) with u = -v.
+        const Vec3 u = -at.v;
+        const Vec3 gl = u - 2.0 * dot(at.n, u) * at.n;
+        REQUIRE(length(r - gl) < 1e-15);
+    }
+}
+
+TEST_CASE("texels are numbered face, row, column, and back") {
+    const MapShape shape{6, 0.875};
+    CHECK(shape.texels() == 72);
+    CHECK(texel_index({Face::front, 0, 0}, shape) == 0);
+    CHECK(texel_index({Face::front, 5, 1}, shape) == 11);
+    CHECK(texel_index({Face::back, 0, 0}, shape) == 36);
+    for (std::size_t j = 0; j < shape.texels(); ++j) {
+        REQUIRE(texel_index(texel_at(j, shape), shape) == j);
+    }
+}
+
+TEST_CASE("the four weights of a footprint are not negative and sum to 1") {
+    for (const double guard : {0.875, 1.0}) {
+        for (const SurfaceView& at : surface_views(2000, 1)) {
+            const TexelFootprint footprint = footprint_of(at.n, {16, guard});
+            double sum = 0.0;
+            for (const double weight : footprint.weight) {
+                REQUIRE(weight >= 0.0);
+                sum += weight;
+            }
+            REQUIRE(sum == Approx(1.0).epsilon(1e-15));
+        }
+    }
+}
+
+TEST_CASE("at a texel's centre the footprint is that texel") {
+    const MapShape shape{8, 0.875};
+    const std::uint32_t index = texel_index({Face::back, 3, 5}, shape);
+    const TexelFootprint footprint =
+        footprint_of(texel_direction({Face::back, 3, 5}, shape.size, shape.guard), shape);
+    double weight = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (footprint.index[k] == index) weight += footprint.weight[k];
+    }
+    CHECK(weight == Approx(1.0).epsilon(1e-13));
+}
+
+TEST_CASE("without a guard the rim's footprints repeat the texels of the edge") {
+    const TexelFootprint footprint = footprint_of({1.0, 0.0, 0.0}, {8, 1.0});
+    CHECK(footprint.index == std::array<std::uint32_t, 4>{31, 31, 39, 39});
+    CHECK(footprint.weight == std::array<double, 4>{0.25, 0.25, 0.25, 0.25});
+}
+
+TEST_CASE("filtering a map linear in s and t gives the linear function itself") {
+    const MapShape shape{16, 0.875};
+    std::vector<double> map(shape.texels());
+    for (std::size_t j = 0; j < map.size(); ++j) {
+        const ParaboloidTexel texel = texel_at(j, shape);
+        map[j] = 2.0 * (texel.x + 0.5) / 16.0 - 3.0 * (texel.y + 0.5) / 16.0;
+    }
+    for (const SurfaceView& at : surface_views(1000, 5)) {
+        const Vec2 st = to_paraboloid(at.n, shape.guard).st;
+        REQUIRE(filtered(map, footprint_of(at.n, shape)) ==
+                Approx(2.0 * st.x - 3.0 * st.y).margin(1e-14));
+    }
+}

@@ -1,0 +1,367 @@
+#include "factor/qmr.hpp"
+
+#include <gmm/gmm.h>
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <map>
+
+#include "dense_matrix.hpp"
+#include "factor/system.hpp"
+#include "factor_cases.hpp"
+#include "texunit/random.hpp"
+
+using namespace twofold;
+using cases::Dense;
+
+namespace {
+
+using Status = SolverStatus;
+
+constexpr StopRule strict{.tolerance = 1e-12, .iteration_limit = 30};
+
+/// One line of the table of ends and breakdowns.
+struct End {
+    const char* title;
+    Dense a;
+    Vector b;
+    Status status;
+    int iterations;
+    Vector x;
+};
+
+/// The vector of -1, 0 and 1 whose base-3 digits, lowest first, make up `code`.
+Vector trits(int code, std::size_t n) {
+    Vector values(n);
+    for (double& value : values) {
+        value = code % 3 - 1;
+        code /= 3;
+    }
+    return values;
+}
+
+int power_of_three(std::size_t n) {
+    int power = 1;
+    for (std::size_t i = 0; i < n; ++i) power *= 3;
+    return power;
+}
+
+Dense trit_matrix(int code, std::size_t n) {
+    const Vector entries = trits(code, n * n);
+    Dense a(n, Vector(n));
+    for (std::size_t i = 0; i < n * n; ++i) a[i / n][i % n] = entries[i];
+    return a;
+}
+
+/// Calls visit(A, operator of A, b) for all 512,406 systems of F15.
+template <class Visit>
+void for_all_small_systems(const Visit& visit) {
+    for (const std::size_t n : {2U, 3U}) {
+        for (int a_code = 0; a_code < power_of_three(n * n); ++a_code) {
+            const Dense a = trit_matrix(a_code, n);
+            const SquareOperator a_operator = cases::square_operator(a);
+            for (int b_code = 1; b_code < power_of_three(n); ++b_code) {
+                visit(a, a_operator, trits(b_code, n));
+            }
+        }
+    }
+}
+
+/// The weighted system of a Phong material under many lights, with what it refers to.
+struct PhongSystem {
+    LogRows left;
+    ChannelRows right;
+    WeightedSystem weighted;
+
+    PhongSystem(const FactorSettings& settings, int samples)
+        : PhongSystem(settings,
+                      cases::samples_of({0.3, 0.7, 20.0, cases::many_lights()}, samples, 1)) {}
+    Vector right_side() const { return weighted.apply_transpose(weighted.right_side()); }
+    Vector zero() const { return Vector(left.matrix.columns(), 0.0); }
+    Solution solved(const StopRule& rule) const {
+        return solve_qmr(weighted.normal_equations(), right_side(), zero(), rule);
+    }
+    /// rms of the rows' residuals.
+    double objective(const Vector& y) const {
+        return norm(minus(weighted.right_side(), weighted.apply(y))) /
+               std::sqrt(static_cast<double>(left.samples));
+    }
+
+  private:
+    PhongSystem(const FactorSettings& settings, const LightingSamples& samples)
+        : left(log_rows(samples.at, settings)),
+          right(channel_rows(left, red(samples), settings, 1.0)),
+          weighted(left, right, settings.column_scaling, 1) {}
+    static std::vector<double> red(const LightingSamples& samples) {
+        std::vector<double> values;
+        for (const Rgb& rgb : samples.radiance) values.push_back(rgb.x);
+        return values;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("QMR ends as the table of ends and breakdowns says", "[hard][F14]") {
+    const std::vector<End> table{
+        {"b = 0", {{4, 1}, {1, 3}}, {0, 0}, Status::converged, 0, {0, 0}},
+        {"regular", {{4, 1}, {1, 3}}, {1, 2}, Status::converged, 2, {1.0 / 11, 7.0 / 11}},
+        {"diagonal", {{2, 0}, {0, 3}}, {1, 0}, Status::converged, 1, {0.5, 0}},
+        {"singular, consistent", {{1, 1}, {1, 1}}, {2, 2}, Status::converged, 1, {1, 1}},
+        {"skew", {{0, 1}, {-1, 0}}, {1, 0}, Status::breakdown_epsilon, 1, {0, 0}},
+        {"indefinite", {{1, 0}, {0, -1}}, {1, 1}, Status::breakdown_epsilon, 1, {0, 0}},
+        {"cyclic shift",
+         {{0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}},
+         {1, 0, 0, 0},
+         Status::breakdown_epsilon,
+         1,
+         {0, 0, 0, 0}},
+        {"zero matrix", {{0, 0}, {0, 0}}, {1, 1}, Status::breakdown_epsilon, 1, {0, 0}},
+        {"inconsistent", {{-1, -1}, {-1, -1}}, {0, -1}, Status::breakdown_epsilon, 2, {0, 0.5}},
+        {"delta",
+         {{-1, 1, -1}, {-1, -1, -1}, {-1, -1, -1}},
+         {0, -1, 0},
+         Status::breakdown_delta,
+         2,
+         {0, 1.0 / 3, 0}},
+        {"xi", {{-1, 0}, {-1, -1}}, {-1, 0}, Status::breakdown_xi, 2, {0.5, 0}},
+        {"rho by exact tests, 4",
+         {{-1, -1, 1}, {1, -1, -1}, {-1, -1, -1}},
+         {-1, -1, 0},
+         Status::breakdown_epsilon,
+         2,
+         {0.25, 0.25, 0}},
+        {"runs away by exact tests",
+         {{1, 0, 0}, {1, -1, -1}, {-1, -1, -1}},
+         {1, 0, -1},
+         Status::breakdown_rho,
+         4,
+         {0.741425, 0.664908, -0.408971}},
+        {"cap by exact tests",
+         {{0, 0, -1}, {-1, -1, -1}, {-1, -1, -1}},
+         {1, 1, -1},
+         Status::breakdown_xi,
+         3,
+         {1, 0.5, -1}},
+        {"NaN by exact tests",
+         {{1, 1, 1}, {-1, -1, 0}, {-1, -1, 0}},
+         {1, 0, -1},
+         Status::breakdown_epsilon,
+         3,
+         {0.08716, 0.4817, 0.3945}},
+        {"price of the threshold",
+         {{1, 0}, {0, 1e-16}},
+         {1, 1},
+         Status::breakdown_rho,
+         3,
+         {1.205, 9.558e15}},
+    };
+    for (const End& end : table) {
+        INFO(end.title);
+        const Solution s =
+            solve_qmr(cases::square_operator(end.a), end.b, Vector(end.b.size(), 0.0), strict);
+        CHECK(name_of(s.report.status) == std::string(name_of(end.status)));
+        CHECK(s.report.iterations == end.iterations);
+        for (std::size_t i = 0; i < end.x.size(); ++i) {
+            CHECK(s.x[i] == Approx(end.x[i]).epsilon(1e-3).margin(1e-6));
+        }
+    }
+}
+
+TEST_CASE("QMR from the solution is converged in 0 iterations", "[hard][F14]") {
+    const Solution s = solve_qmr(cases::square_operator({{2, 0}, {0, 2}}), {2, 4}, {1, 2}, strict);
+    CHECK(s.report.status == Status::converged);
+    CHECK(s.report.iterations == 0);
+    CHECK(s.x == Vector{1, 2});
+}
+
+TEST_CASE("QMR refuses input that is not finite before it begins", "[hard][F14]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const SquareOperator identity = cases::square_operator({{1, 0}, {0, 1}});
+    const Solution bad_b = solve_qmr(identity, {nan, 1}, {3, 4}, strict);
+    CHECK(bad_b.report.status == Status::non_finite);
+    CHECK(bad_b.report.iterations == 0);
+    CHECK(bad_b.x == Vector{3, 4});
+    CHECK(solve_qmr(identity, {1, 1}, {nan, 1}, strict).x == Vector{0, 0});
+}
+
+TEST_CASE("all 512,406 systems of entries -1, 0 and 1 end under the pinned names", "[hard][F15]") {
+    std::map<std::string, int> count;
+    int unsound = 0;
+    for_all_small_systems([&](const Dense& a, const SquareOperator& a_operator, const Vector& b) {
+        const Solution s = solve_qmr(a_operator, b, Vector(b.size(), 0.0), strict);
+        const bool zero = largest_magnitude(b) == 0.0;
+        ++count[zero ? "b = 0" : name_of(s.report.status)];
+        const double residual = norm(minus(b, cases::product(a, s.x)));
+        const bool sound =
+            all_finite(s.x) && residual <= norm(b) &&
+            (s.report.status != Status::converged || residual <= 1.001e-12 * norm(b));
+        unsound += sound ? 0 : 1;
+    });
+    CHECK(unsound == 0);
+    CHECK(count == std::map<std::string, int>{{"b = 0", 19764},
+                                              {"converged", 213528},
+                                              {"breakdown_delta", 25056},
+                                              {"breakdown_epsilon", 198894},
+                                              {"breakdown_rho", 2760},
+                                              {"breakdown_xi", 52404}});
+}
+
+TEST_CASE("with exact-zero tests the 3 x 3 systems run into the limit and lose the residual",
+          "[hard][F15]") {
+    // The mutant that the relative tests are there to beat; even it never claims convergence
+    // falsely, because the residual is recomputed.
+    const StopRule exact_zero{.tolerance = 1e-12, .iteration_limit = 30, .breakdown = 0.0};
+    int at_limit = 0;
+    int false_claims = 0;
+    for_all_small_systems([&](const Dense& a, const SquareOperator& a_operator, const Vector& b) {
+        const Solution s = solve_qmr(a_operator, b, Vector(b.size(), 0.0), exact_zero);
+        at_limit += s.report.status == Status::limit ? 1 : 0;
+        const bool claims = s.report.status == Status::converged;
+        const double residual = norm(minus(b, cases::product(a, s.x)));
+        false_claims += claims && residual > 1.001e-12 * norm(b) ? 1 : 0;
+    });
+    CHECK(at_limit > 10000);
+    CHECK(false_claims == 0);
+}
+
+TEST_CASE("a recurrence that has lost the residual does not count as converged", "[hard][F22]") {
+    const SquareOperator a = cases::square_operator({{1, 0, 0}, {1, -1, -1}, {-1, -1, -1}});
+    const Solution relative = solve_qmr(a, {-1, -1, 0}, Vector(3, 0.0), strict);
+    CHECK(relative.report.status != Status::converged);
+    const StopRule exact_zero{.tolerance = 1e-12, .iteration_limit = 30, .breakdown = 0.0};
+    const Solution mutant = solve_qmr(a, {-1, -1, 0}, Vector(3, 0.0), exact_zero);
+    CHECK(mutant.report.status != Status::converged);
+    CHECK(mutant.report.relative_residual > 0.1);
+    CHECK(mutant.report.relative_residual <= 1.0);
+}
+
+TEST_CASE("powers of two keep QMR exact at both ends of the exponent range", "[hard][F16]") {
+    const Solution tiny = solve_qmr(cases::square_operator({{1e-300, 0}, {0, 1e-300}}),
+                                    {1e-300, 1e-300}, {0, 0}, strict);
+    CHECK(tiny.report.status == Status::converged);
+    CHECK(tiny.report.iterations == 1);
+    CHECK(tiny.x == Vector{1, 1});
+}
+
+TEST_CASE("QMR reports a result beyond the range and stores no infinity", "[hard][F17]") {
+    const Solution huge =
+        solve_qmr(cases::square_operator({{1e200, 0}, {0, 2e200}}), {1e200, 1e200}, {0, 0}, strict);
+    CHECK(huge.report.status == Status::converged);
+    CHECK(huge.report.iterations == 2);
+    CHECK(huge.x[0] == Approx(1.0).epsilon(4.5e-16));
+    CHECK(huge.x[1] == Approx(0.5).epsilon(4.5e-16));
+
+    const Solution beyond = solve_qmr(cases::square_operator({{1e-300, 0}, {0, 1e-300}}),
+                                      {1e200, 1e200}, {0, 0}, strict);
+    CHECK(beyond.report.status == Status::non_finite);
+    CHECK(beyond.x == Vector{0, 0});
+}
+
+TEST_CASE("each scalar that vanishes has its own name", "[hard][F14]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto of = [](QmrScalars s) { return breakdown_of(s, 1e-12); };
+    CHECK_FALSE(of({}).has_value());
+    CHECK(of({.rho = 1e-13}) == Status::breakdown_rho);
+    CHECK(of({.xi = 1e-13}) == Status::breakdown_xi);
+    CHECK(of({.delta = -1e-13}) == Status::breakdown_delta);
+    CHECK(of({.epsilon = 1e-10, .epsilon_scale = 1e3}) == Status::breakdown_epsilon);
+    CHECK(of({.beta = 0.0}) == Status::breakdown_beta);
+    CHECK(of({.beta = nan}) == Status::breakdown_beta);
+    CHECK(of({.gamma = 0.0}) == Status::breakdown_gamma);
+    CHECK(of({.rho = nan}) == Status::non_finite);
+    CHECK(of({.epsilon = nan}) == Status::non_finite);
+}
+
+TEST_CASE("QMR agrees with GMM++'s QMR on a system without symmetry") {
+    const std::size_t n = 40;
+    Dense a(n, Vector(n));
+    gmm::dense_matrix<double> peer(n, n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            a[i][j] = random_unit(3, i * n + j) - 0.5 + (i == j ? 6.0 : 0.0);
+            peer(i, j) = a[i][j];
+        }
+    }
+    Vector b(n);
+    for (std::size_t i = 0; i < n; ++i) b[i] = random_unit(4, i);
+    Vector peer_x(n, 0.0);
+    gmm::iteration peer_stop(1e-13);
+    gmm::qmr(peer, peer_x, b, gmm::identity_matrix(), peer_stop);
+
+    const Solution s = solve_qmr(cases::square_operator(a), b, Vector(n, 0.0),
+                                 {.tolerance = 1e-13, .iteration_limit = 100});
+    CHECK(s.report.status == Status::converged);
+    CHECK(std::abs(s.report.iterations - static_cast<int>(peer_stop.get_iteration())) <= 2);
+    CHECK(largest_magnitude(minus(s.x, peer_x)) < 1e-12);
+}
+
+TEST_CASE("one product an iteration gives a symmetric system the bits of two") {
+    FactorSettings settings;
+    settings.map_size = 8;
+    const PhongSystem system(settings, 3000);
+    SquareOperator both = system.weighted.normal_equations();
+    both.symmetric = false;
+    const Solution two = solve_qmr(both, system.right_side(), system.zero(), {.tolerance = 1e-6});
+    const Solution one = system.solved({.tolerance = 1e-6});
+    CHECK(one.x == two.x);
+    CHECK(one.report.history == two.report.history);
+}
+
+TEST_CASE("the iteration limit is a named end with the best iterate", "[hard][F19]") {
+    FactorSettings settings;
+    settings.map_size = 24;
+    const PhongSystem system(settings, 30000);
+    REQUIRE(system.zero().size() == 2304);
+    const Solution s = system.solved({.tolerance = 1e-12, .iteration_limit = 3});
+    CHECK(s.report.status == Status::limit);
+    CHECK(s.report.iterations == 3);
+    CHECK(s.report.best_iteration == 3);
+    CHECK(s.report.relative_residual < 1.0);
+    CHECK(s.report.history.size() == 4);
+}
+
+TEST_CASE("without column scaling QMR stagnates, with it it converges", "[hard][F18]") {
+    FactorSettings settings = cases::unregularised(16, 0.875);
+    settings.column_scaling = false;
+    const StopRule rule{.tolerance = 1e-12, .iteration_limit = 1500};
+    const PhongSystem plain(settings, 30000);
+    REQUIRE(plain.zero().size() == 1024);
+    const Solution stuck = plain.solved(rule);
+    CAPTURE(stuck.report.iterations, stuck.report.relative_residual);
+    CHECK(stuck.report.status == Status::stagnation);
+
+    settings.column_scaling = true;
+    const PhongSystem scaled_columns(settings, 30000);
+    const Solution solved = scaled_columns.solved(rule);
+    CAPTURE(solved.report.iterations, solved.report.relative_residual);
+    CHECK(solved.report.status == Status::converged);
+    CHECK(solved.report.iterations < 120);
+}
+
+TEST_CASE("run on past convergence QMR neither diverges nor gets worse", "[hard][F21]") {
+    const PhongSystem system(cases::unregularised(16, 0.875), 30000);
+    const Solution good = system.solved({.tolerance = 1e-10, .iteration_limit = 1000});
+    const Solution forced = system.solved({.tolerance = 0.0, .iteration_limit = 1000});
+    CAPTURE(name_of(forced.report.status), forced.report.iterations);
+    CHECK(good.report.status == Status::converged);
+    CHECK(system.objective(forced.x) <= system.objective(good.x) * (1.0 + 1e-12));
+    CHECK(norm(forced.x) < 1.1 * norm(good.x));
+    CHECK(forced.report.iterations < 1000);
+}
+
+TEST_CASE("starts that differ by the gauge give the same factors", "[hard][F07]") {
+    FactorSettings settings;
+    settings.map_size = 8;
+    const PhongSystem system(settings, 5000);
+    Vector shifted = system.zero();
+    for (std::size_t j = 0; j < shifted.size(); ++j) shifted[j] = j < shifted.size() / 2 ? 5 : -5;
+    const Solution from_shifted =
+        solve_qmr(system.weighted.normal_equations(), system.right_side(),
+                  system.weighted.scaled_unknowns(shifted), {.tolerance = 1e-10});
+    const Solution from_zero = system.solved({.tolerance = 1e-10});
+    const Vector moved =
+        minus(system.weighted.unknowns(from_shifted.x), system.weighted.unknowns(from_zero.x));
+    CHECK(largest_magnitude(minus(moved, shifted)) < 1e-12);
+    CHECK(largest_magnitude(minus(balanced(system.weighted.unknowns(from_shifted.x)),
+                                  balanced(system.weighted.unknowns(from_zero.x)))) < 1e-12);
+}
