@@ -96,12 +96,12 @@ void write_picture(const std::filesystem::path& path, const Framebuffer& picture
 
 ExitCode run_command(const RunOptions& options, const CommonOptions& common) {
     const Scene scene = read_scene(options.scene, common.overrides);
-    prepare_folder(options.output);
+    const OutputFolder folder(options.output);
     Console console(common.quiet);
     RunResult run =
         run_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
     console.step("write report");
-    const auto report = write_run(run, options.output, common.command_line);
+    const auto report = write_run(run, folder.path(), {options.scene, common.command_line});
     console.finish();
     if (common.json) {
         print_json(run_json(run));
@@ -118,11 +118,11 @@ ExitCode factor_command(const FactorOptions& options, const CommonOptions& commo
     const Scene scene = read_scene(options.scene, common.overrides);
     if (scene.objects.empty())
         throw Error(ExitCode::failure, options.scene + ": objects: there is nothing to factor");
-    prepare_folder(options.output);
+    const OutputFolder folder(options.output);
     Console console(common.quiet);
     const LitScene lit =
         light_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
-    write_factors(scene, lit, options.output);
+    write_factors(scene, lit, folder.path());
     console.finish();
     if (common.json)
         print_json(factors_json(scene, lit));

@@ -115,6 +115,8 @@ Scene read_document(const JsonObject& fields, const std::filesystem::path& direc
     const auto presets = fields.find("presets");
     const auto environment = fields.enabled("environment");
     static_cast<void>(fields.text("$schema", ""));
+    if (const auto results = fields.find("results"); results && !results->is_object())
+        results->fail("must be an object");
     return {
         .title = fields.text("title", ""),
         .directory = read_directory(fields, directory),
@@ -157,7 +159,8 @@ Scene parse_scene(std::string_view text, const std::string& name,
     const scene_io::JsonObject fields(
         scene_io::JsonValue(document, name, ""),
         {"$schema", "title", "directory", "image", "camera", "environment", "white",
-         "factorization", "materials", "meshes", "textures", "objects", "passes", "presets"});
+         "factorization", "materials", "meshes", "textures", "objects", "passes", "presets",
+         "results"});
     Scene scene = scene_io::read_document(fields, directory);
     scene_io::check_scene(scene, name, fields.find("directory").has_value());
     return scene;

@@ -117,12 +117,12 @@ std::vector<std::pair<std::string, std::string>> provenance(const RunResult& run
     return rows;
 }
 
-Report make_report(const RunResult& run, const std::string& command) {
+Report make_report(const RunResult& run, const RunOrigin& origin) {
     Report report;
     report.title = run.scene.title;
-    report.scene_path = run.scene.directory;
+    report.scene_path = origin.scene_path;
     report.version = program_version();
-    report.command = command;
+    report.command = origin.command;
     report.notes = report_notes(run);
     report.warnings = run.warnings;
     report.white = run.lit.white;
@@ -144,13 +144,18 @@ Report make_report(const RunResult& run, const std::string& command) {
 
 }  // namespace
 
-void prepare_folder(const std::filesystem::path& folder) {
+OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder))
-        throw Error(ExitCode::bad_file, folder.string() + ": cannot be made a folder: " +
+    made_here_ = std::filesystem::create_directories(path_, error);
+    if (error || !std::filesystem::is_directory(path_))
+        throw Error(ExitCode::bad_file, path_.string() + ": cannot be made a folder: " +
                                             (error ? error.message() : "it is a file"));
-    remove_stale_temporaries(folder);
+    remove_stale_temporaries(path_);
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code ignored;
+    if (made_here_) std::filesystem::remove(path_, ignored);  // does nothing unless it is empty
 }
 
 void write_factors(const Scene& scene, const LitScene& lit, const std::filesystem::path& folder) {
@@ -162,7 +167,7 @@ void write_factors(const Scene& scene, const LitScene& lit, const std::filesyste
 }
 
 std::filesystem::path write_run(const RunResult& run, const std::filesystem::path& folder,
-                                const std::string& command) {
+                                const RunOrigin& origin) {
     for (const RunPicture& p : run.pictures) {
         write_file_atomically(folder / (p.name + ".png"), encode_png(byte_image(p.picture)));
         write_file_atomically(folder / (p.name + ".exr"), encode_exr(float_image(p.picture)));
@@ -170,7 +175,7 @@ std::filesystem::path write_run(const RunResult& run, const std::filesystem::pat
     write_factors(run.scene, run.lit, folder);
     write_file_atomically(folder / "manifest.json", manifest_json(run));
     const std::filesystem::path report = folder / "report.html";
-    write_file_atomically(report, report_html(make_report(run, command)));
+    write_file_atomically(report, report_html(make_report(run, origin)));
     return report;
 }
 

@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# The program from outside: exit codes, messages, files. usage: cli_test.sh TWOFOLD SCENES_DIR
+set -u
+twofold=$1 scenes=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0
+
+# expect CODE TEXT COMMAND...: the command ends with CODE and prints TEXT (a fixed string) somewhere.
+expect() {
+    local code=$1 text=$2 found
+    shift 2
+    "$@" >"$work/output" 2>&1
+    found=$?
+    if [ "$found" -eq "$code" ] && grep -qF -- "$text" "$work/output"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED (exit %s, wanted %s with "%s"): %s\n' "$found" "$code" "$text" "$*"
+        head -n 5 "$work/output"
+    fi
+}
+
+# holds TEXT CONDITION...: the test command succeeds.
+holds() {
+    local text=$1
+    shift
+    if "$@" >/dev/null 2>&1; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $text"; fi
+}
+
+small=(-q -D image.width=96 -D image.height=64 -D environment.cells=128 -D factorization.map_size=16
+       -D factorization.samples=12000 -D factorization.held_out=500)
+lobe=$scenes/sphere-lobe.json
+
+# Usage
+expect 0 "Exit codes" "$twofold" --help
+expect 0 "twofold 0." "$twofold" --version
+expect 0 "Example: twofold run" "$twofold" run --help
+expect 2 "subcommand" "$twofold"
+expect 2 "SCENE" "$twofold" run
+expect 2 "bogus" "$twofold" run "$lobe" --bogus
+
+# run: files, report, a manifest that reruns to the same bytes
+expect 0 "report: " "$twofold" run "$lobe" -o "$work/a" "${small[@]}"
+for file in exact.png exact.exr nv17.png ideal64.exr factors.json manifest.json report.html phong-t1-front.exr \
+            phong-t2-back.png; do
+    holds "run writes $file" test -s "$work/a/$file"
+done
+expect 0 "report: " "$twofold" run "$work/a/manifest.json" -o "$work/b" -q
+for file in exact.png nv17.png ideal64.png gl13.exr manifest.json factors.json phong-t1-front.exr; do
+    holds "the manifest reruns to the same $file" cmp "$work/a/$file" "$work/b/$file"
+done
+expect 0 '"comparisons"' "$twofold" run "$lobe" -o "$work/c" "${small[@]}" --json -j 7
+holds "threads change nothing" cmp "$work/a/manifest.json" "$work/c/manifest.json"
+holds "--json is JSON" python3 -m json.tool "$work/output"
+holds "no temporary is left" test -z "$(find "$work" -name '*.tmp')"
+
+# A temporary of a dead process is swept
+touch "$work/a/.report.html.twofold-999999.tmp"
+expect 0 "report: " "$twofold" run "$lobe" -o "$work/a" "${small[@]}"
+holds "stale temporaries are swept" test ! -e "$work/a/.report.html.twofold-999999.tmp"
+
+# factor, render
+expect 0 '"log_rms"' "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" --json
+holds "factor writes factors.json" test -s "$work/f/factors.json"
+expect 0 "lsmr" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.solver=lsmr -D title=lsmr --json
+expect 5 "did not converge" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.iteration_limit=3
+expect 2 "nothing to factor" "$twofold" factor "$scenes/two-passes.json" -o "$work/f"
+expect 0 "nv17" "$twofold" render "$scenes/two-passes.json" -o "$work/quad.png" --preset nv17
+expect 0 "gl13" "$twofold" render "$scenes/two-passes.json" -o "$work/quad-gl13.png" --preset gl13
+expect 0 "ideal64" "$twofold" render "$scenes/two-passes.json" -o "$work/quad.exr"
+expect 2 "there are: ideal64 float32 gl13 nv17" "$twofold" render "$lobe" -o "$work/x.png" --preset nv99
+expect 2 "must end in .png or .exr" "$twofold" render "$lobe" -o "$work/x.jpg"
+expect 4 "no/such/folder" "$twofold" render "$scenes/two-passes.json" -o "$work/no/such/folder/x.png"
+
+# compare
+expect 0 "0 of 65536 pixels differ" "$twofold" compare "$work/quad.png" "$work/quad.png"
+expect 2 "pixels differ, first at" "$twofold" compare "$work/quad.png" "$work/quad-gl13.png" --diff "$work/d.png"
+holds "compare writes the heat map" test -s "$work/d.png"
+expect 2 '"rms_steps"' "$twofold" compare "$work/quad.png" "$work/quad-gl13.png" --json
+expect 3 "" "$twofold" compare "$work/quad.png" "$work/a/nv17.png"
+expect 4 "missing.png" "$twofold" compare "$work/quad.png" "$work/missing.png"
+expect 0 "0 of" "$twofold" compare "$work/quad.exr" "$work/quad.exr"
+expect 2 "" "$twofold" compare "$work/a/exact.exr" "$work/a/gl13.exr"
+
+# explain
+expect 0 "bit-exact to preset nv17 v1" "$twofold" explain --preset nv17
+expect 0 '"mark"' "$twofold" explain --preset gl13 --json
+expect 0 "reflection_map" "$twofold" explain "$lobe" -D image.width=64 -D image.height=64
+expect 2 "either a scene or --preset" "$twofold" explain
+
+# Bad input names file, field and value
+expect 4 "missing.json" "$twofold" run "$work/missing.json" -o "$work/x"
+echo '{"image": {"widht": 3}}' >"$work/bad.json"
+expect 2 "did you mean 'width'?" "$twofold" run "$work/bad.json" -o "$work/x"
+expect 2 "1000000000" "$twofold" run "$lobe" -o "$work/x" -D image.width=1000000000
+expect 2 "factorization.samples" "$twofold" run "$lobe" -o "$work/x" -D factorization.samples=1000000000000
+expect 4 "courtyard.hdr" "$twofold" run "$scenes/gold-suzanne.json" -o "$work/x" -D environment.latlong=no/courtyard.hdr
+echo "in the way" >"$work/file"
+expect 4 "$work/file" "$twofold" run "$lobe" -o "$work/file" "${small[@]}"
+holds "a failed run leaves no folder" test ! -e "$work/x"
+
+# Not enough samples is a warning, the paper to the letter does not converge
+expect 1 "fewer than 10 an unknown" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D factorization.samples=2000
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
