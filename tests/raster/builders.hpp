@@ -192,4 +192,46 @@ inline Frame sphere_frame(int n, int size) {
     return frame;
 }
 
+/// A checkered floor to the horizon: perspective, clipping behind the eye, repeat, linear filter.
+inline Frame floor_frame() {
+    Mesh floor = triangles({{-40, -1, 5}, {40, -1, 5}, {40, -1, -60}, {-40, -1, -60}});
+    floor.indices = {0, 1, 2, 0, 2, 3};
+    for (const Vec3& p : floor.positions) floor.texcoords.push_back({p.x / 2, p.z / 2, 0.0, 1.0});
+    floor.colors = {{1, 1, 1, 1}, {1, 0.7, 0.4, 1}, {0.2, 0.3, 0.9, 1}, {0.3, 0.9, 0.5, 1}};
+    PassState state;
+    state.projection = frustum(0.25, 100.0);
+    state.units[0] = TextureUnitState{};
+    state.units[0]->texture = 0;
+    state.units[0]->wrap_s = state.units[0]->wrap_t = Wrap::repeat;
+    Frame frame;
+    frame.width = 64;
+    frame.height = 48;
+    frame.clear_color = {0.4, 0.6, 0.8, 1.0};
+    frame.meshes = {floor};
+    const Rgba8 light{240, 230, 220, 255}, dark{40, 50, 60, 255};
+    frame.textures = {{2, 2, std::vector<Rgba8>{light, dark, dark, light}}};
+    frame.passes = {{state, 0}};
+    return frame;
+}
+
+/// Six coloured triangles around a point, then a half-transparent one over them.
+inline Frame fan_frame() {
+    const std::array<Vec3, 6> rim{Vec3{45.3, 24, 0.5}, {33.1, 5.7, 0.5},  {12.2, 7.9, 0.5},
+                                  {2.5, 24, 0.5},      {13.9, 42.6, 0.5}, {36.7, 43.8, 0.5}};
+    Mesh fan = triangles({{24.5, 24.5, 0.5}});
+    fan.positions.insert(fan.positions.end(), rim.begin(), rim.end());
+    fan.colors = {{1, 1, 1, 1},       {1, 0, 0, 1},     {1, 0.8, 0, 0.8}, {0, 0.9, 0.1, 0.6},
+                  {0, 0.7, 0.9, 0.4}, {0.1, 0, 1, 0.2}, {0.9, 0, 0.7, 0}};
+    fan.indices.clear();
+    for (std::uint32_t k = 0; k < 6; ++k)
+        for (const std::uint32_t i : {0u, 1 + k, 1 + (k + 1) % 6}) fan.indices.push_back(i);
+    Frame frame = pixel_frame(48, 48, fan);
+    frame.meshes.push_back(triangles({{4, 46, 0.25}, {44, 40, 0.25}, {30, 10, 0.25}}));
+    PassState glass = frame.passes[0].state;
+    glass.color = {0.2, 0.9, 0.5, 0.6};
+    glass.blend = Blend{BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha};
+    frame.passes.push_back({glass, 1});
+    return frame;
+}
+
 }  // namespace twofold::test

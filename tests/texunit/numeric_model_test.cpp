@@ -186,7 +186,7 @@ TEMPLATE_TEST_CASE("the colour iterator gives each vertex its colour and stays b
     int outside = 0;
     for (std::int64_t x = 0; x <= 40; ++x)
         for (std::int64_t y = 0; x + y <= 40; ++y)
-            for (const Real w : {Real{1}, Real{0.3f}, Real{7}}) {
+            for (const Real w : {Real{1}, Real{1} / Real{3}, Real{7}}) {
                 const int k =
                     out<M>(M::iterate_color({{x, y, 40 - x - y}, {Real{1}, w, Real{1}}}, a, b, c));
                 outside += k < 13 || k > 200;
