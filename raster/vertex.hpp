@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "raster/pass.hpp"
 #include "texunit/linear.hpp"
 #include "texunit/numeric_model.hpp"
 
@@ -13,8 +14,9 @@ struct ClipVertex {
     /// x, y, z, w with the viewport's scale already applied to x, y, z: x / w + offset is in
     /// pixels.
     Vec4 clip;
-    Vec4 color;                  ///< r, g, b, a before any clamp
-    std::array<Vec4, 2> coords;  ///< s, t, r, q of each unit behind its texture matrix
+    Vec4 color;            ///< r, g, b, a before any clamp
+    Vec4 secondary_color;  ///< r, g, b; the fourth is the fog factor
+    std::array<Vec4, max_units> coords;  ///< s, t, r, q of each unit behind its texture matrix
 };
 
 /// A vertex in the window: what set-up and interpolation need, in the preset's formats.
@@ -26,12 +28,6 @@ struct WindowVertex {
     Color<typename M::Channel> color;
     /// s, t, q of each unit over w: linear in the window.
     std::array<std::array<typename M::Real, 3>, 2> coords;
-};
-
-/// Window x, y, z = clip x, y, z / w + offset. The snap bias is part of the offset.
-struct Viewport {
-    Vec3 scale;   ///< folded into the projection
-    Vec3 offset;  ///< pixels; z in 0..1
 };
 
 /// The viewport of a picture of width x height pixels with y down and depth range [0, 1].

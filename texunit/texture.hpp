@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "texunit/tex_env_state.hpp"
+
 namespace twofold {
 
 /// One texel or pixel of 8 bits a channel, 255 = 1.0; never premultiplied.
@@ -16,12 +18,49 @@ struct Rgba8 {
 /// One texel of binary32 channels r, g, b, a; never premultiplied.
 using Rgba32f = std::array<float, 4>;
 
-/// A two-dimensional texture image. Rows are bottom up, as OpenGL's TexImage2D takes them: texel
-/// (0, 0) is at s = t = 0 and texel (i, j) is stored at j * width + i.
+/// Stored texel formats beside plain RGBA of 8 bits. Components are named from the high bits down, words are
+/// little-endian.
+/// @source formats of NV1x and NV2x: envytools rnndb; DXTn: EXT_texture_compression_s3tc
+enum class TextureFormat {
+    argb8888,
+    xrgb8888,  ///< alpha reads 1
+    rgb565,
+    argb1555,
+    xrgb1555,  ///< alpha reads 1
+    argb4444,
+    l8,
+    a8,
+    i8,
+    la88,  ///< alpha in the high byte
+    dxt1,
+    dxt3,
+    dxt5
+};
+
+/// Texels as the format stores them; rows bottom up, DXTn blocks of 4 x 4 row by row from the bottom.
+struct PackedTexels {
+    TextureFormat format = TextureFormat::argb8888;
+    std::vector<std::uint8_t> bytes;
+};
+
+using Texels = std::variant<std::vector<Rgba8>, std::vector<Rgba32f>, PackedTexels>;
+
+/// One texture image. Rows are bottom up, as OpenGL's TexImage2D takes them: texel (0, 0) is at s = t = 0
+/// and texel (i, j) is stored at j * width + i.
+struct TextureImage {
+    int width = 0;
+    int height = 0;
+    Texels texels;
+};
+
+/// A texture: its base image, and what else belongs to it.
 struct Texture {
     int width = 0;
     int height = 0;
-    std::variant<std::vector<Rgba8>, std::vector<Rgba32f>> texels;
+    Texels texels;
+    BaseFormat base_format = BaseFormat::rgba;
+    std::vector<TextureImage> mipmaps{};     ///< levels 1, 2, ...; empty: the base image alone
+    std::vector<TextureImage> cube_faces{};  ///< of a cube map: -x, +y, -y, +z, -z; the base is +x
 };
 
 /// A picture of any number of float channels. Rows are top down; sample (x, y, c) is stored at
