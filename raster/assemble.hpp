@@ -4,14 +4,33 @@
 
 #include "raster/clip.hpp"
 #include "raster/framebuffer.hpp"
-#include "raster/pass.hpp"
+#include "raster/primitive.hpp"
+#include "raster/project.hpp"
 #include "raster/setup.hpp"
-#include "raster/transform.hpp"
 
 namespace twofold {
 
 template <NumericModel M>
 using WindowTriangle = std::array<WindowVertex<M>, 3>;
+
+/// What is the same for every triangle of a pass on its way into the window.
+struct WindowRules {
+    Viewport viewport;
+    PictureSize size;
+    CullFace cull;
+    bool window_space;
+    bool perspective;
+    bool flat;
+};
+
+inline WindowRules window_rules(const PassState& state, PictureSize size, SnapRule snap) {
+    return {state.viewport.value_or(viewport_of(size.width, size.height, snap)),
+            size,
+            state.cull,
+            state.window_space,
+            state.perspective_correction,
+            state.shade_model == ShadeModel::flat};
+}
 
 inline bool is_culled(CullFace cull, bool front) {
     return cull != CullFace::none && front == (cull == CullFace::front);
@@ -42,23 +61,62 @@ void draw_unless_culled(const WindowTriangle<M>& triangle, CullFace cull, DrawCo
     }
 }
 
-/// Primitive assembly: clips each triangle of the index list, projects what remains and draws it as
-/// a fan. Calls `draw(k, triangle, setup)` with the number k of the mesh's triangle.
+/// The corners of a triangle; under flat shading all of them wear the provoking vertex's colours,
+/// but each its own fog.
+inline std::array<ClipVertex, 3> corners_of(const AssembledTriangle& t,
+                                            std::span<const ClipVertex> vertices, bool flat) {
+    std::array<ClipVertex, 3> corners{vertices[t.vertex[0]], vertices[t.vertex[1]],
+                                      vertices[t.vertex[2]]};
+    if (!flat) return corners;
+    for (ClipVertex& v : corners) {
+        v.color = vertices[t.provoking].color;
+        v.secondary_color = Vec4{Vec3{vertices[t.provoking].secondary_color}, v.secondary_color.w};
+    }
+    return corners;
+}
+
+/// A triangle whose vertices are window coordinates already: not clipped, dropped outside the guard
+/// band.
 template <NumericModel M, class Draw>
-void for_each_window_triangle(std::span<const ClipVertex> vertices,
-                              std::span<const std::uint32_t> indices, const Viewport& viewport,
-                              CullFace cull, DrawCounters& counters, Draw&& draw) {
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const ClippedPolygon polygon = clip(
-            {vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]]}, viewport);
-        count(polygon.result, counters);
-        for (std::size_t k = 2; k < polygon.size; ++k)
-            draw_unless_culled<M>(
-                {project<M>(polygon.vertices[0], viewport),
-                 project<M>(polygon.vertices[k - 1], viewport),
-                 project<M>(polygon.vertices[k], viewport)},
-                cull, counters,
-                [&](const WindowTriangle<M>& t, const TriangleSetup& s) { draw(i / 3, t, s); });
+void draw_placed(const M& m, const std::array<ClipVertex, 3>& v, const WindowRules& rules,
+                 DrawCounters& counters, Draw&& draw) {
+    const bool drawable =
+        inside_guard_band(v[0]) && inside_guard_band(v[1]) && inside_guard_band(v[2]);
+    count(drawable ? ClipResult::inside : ClipResult::not_finite, counters);
+    if (drawable)
+        draw_unless_culled<M>({place(m, v[0], rules.perspective), place(m, v[1], rules.perspective),
+                               place(m, v[2], rules.perspective)},
+                              rules.cull, counters, draw);
+}
+
+/// Clips a triangle, projects what remains and draws it as a fan.
+template <NumericModel M, class Draw>
+void draw_clipped(const M& m, const std::array<ClipVertex, 3>& v, const WindowRules& rules,
+                  DrawCounters& counters, Draw&& draw) {
+    const ClippedPolygon polygon = clip(v, rules.viewport, rules.size);
+    count(polygon.result, counters);
+    const auto corner = [&](std::size_t k) {
+        return project(m, polygon.vertices[k], rules.viewport, rules.perspective);
+    };
+    for (std::size_t k = 2; k < polygon.size; ++k)
+        draw_unless_culled<M>({corner(0), corner(k - 1), corner(k)}, rules.cull, counters, draw);
+}
+
+/// Brings every triangle into the window and calls `draw(k, triangle, setup)` for what is to be
+/// covered, with the number k of the assembled triangle.
+template <NumericModel M, class Draw>
+void for_each_window_triangle(const M& m, std::span<const ClipVertex> vertices,
+                              std::span<const AssembledTriangle> triangles,
+                              const WindowRules& rules, DrawCounters& counters, Draw&& draw) {
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        const auto corners = corners_of(triangles[k], vertices, rules.flat);
+        const auto drawn = [&](const WindowTriangle<M>& t, const TriangleSetup& s) {
+            draw(k, t, s);
+        };
+        if (rules.window_space)
+            draw_placed(m, corners, rules, counters, drawn);
+        else
+            draw_clipped(m, corners, rules, counters, drawn);
     }
 }
 

@@ -1,7 +1,5 @@
 #include "raster/clip.hpp"
 
-#include <cmath>
-
 namespace twofold {
 namespace {
 
@@ -24,16 +22,16 @@ std::array<double, 7> distances(const Vec4& c, const Viewport& view) {
 
 /// Signed distances from the window's four sides, one pixel outside them: a triangle beyond one
 /// side is not worth setting up. Sides only reject; coverage cuts at the window's edge exactly.
-std::array<double, 4> side_distances(const Vec4& c, const Viewport& view) {
+std::array<double, 4> side_distances(const Vec4& c, const Viewport& view, PictureSize size) {
     const double x = c.x + view.offset.x * c.w, y = c.y + view.offset.y * c.w;
-    const double width = 2.0 * std::fabs(view.scale.x), height = 2.0 * std::fabs(view.scale.y);
-    return {c.w + x, (width + 1.0) * c.w - x, c.w + y, (height + 1.0) * c.w - y};
+    return {c.w + x, (size.width + 1.0) * c.w - x, c.w + y, (size.height + 1.0) * c.w - y};
 }
 
-bool outside_one_side(const std::array<ClipVertex, 3>& triangle, const Viewport& view) {
-    const auto a = side_distances(triangle[0].clip, view);
-    const auto b = side_distances(triangle[1].clip, view);
-    const auto c = side_distances(triangle[2].clip, view);
+bool outside_one_side(const std::array<ClipVertex, 3>& triangle, const Viewport& view,
+                      PictureSize size) {
+    const auto a = side_distances(triangle[0].clip, view, size);
+    const auto b = side_distances(triangle[1].clip, view, size);
+    const auto c = side_distances(triangle[2].clip, view, size);
     for (std::size_t side = 0; side < 4; ++side)
         if (a[side] < 0.0 && b[side] < 0.0 && c[side] < 0.0) return true;
     return false;
@@ -76,7 +74,9 @@ ClipVertex between(const ClipVertex& inside, const ClipVertex& outside, double i
     ClipVertex v;
     v.clip = (-outside_distance / span) * inside.clip + t * outside.clip;
     v.color = inside.color + t * (outside.color - inside.color);
-    for (std::size_t u = 0; u < 2; ++u)
+    v.secondary_color =
+        inside.secondary_color + t * (outside.secondary_color - inside.secondary_color);
+    for (std::size_t u = 0; u < max_units; ++u)
         v.coords[u] = inside.coords[u] + t * (outside.coords[u] - inside.coords[u]);
     return v;
 }
@@ -105,14 +105,20 @@ ClippedPolygon cut(const ClippedPolygon& in, std::size_t plane, const Viewport& 
 
 }  // namespace
 
-ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& view) {
+bool inside_guard_band(const ClipVertex& v) {
+    const auto bounded = [](double x) { return x >= -guard_band && x <= guard_band; };
+    return bounded(v.clip.x) && bounded(v.clip.y) && usable(v.clip) && v.clip.w != 0.0;
+}
+
+ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& view,
+                    PictureSize size) {
     ClippedPolygon polygon{ClipResult::inside, 3, {triangle[0], triangle[1], triangle[2]}};
     std::array<std::array<double, 7>, 3> d;
     for (std::size_t k = 0; k < 3; ++k) {
         if (!usable(triangle[k].clip)) return {ClipResult::not_finite, 0, {}};
         d[k] = distances(triangle[k].clip, view);
     }
-    if (outside_one_side(triangle, view)) return {ClipResult::rejected, 0, {}};
+    if (outside_one_side(triangle, view, size)) return {ClipResult::rejected, 0, {}};
     for (std::size_t plane = 0; plane < 7; ++plane) {
         const int outside = (d[0][plane] < 0.0) + (d[1][plane] < 0.0) + (d[2][plane] < 0.0);
         if (outside == 3) return {ClipResult::rejected, 0, {}};

@@ -13,6 +13,10 @@ inline constexpr double guard_band = 32768.0;
 /// Vertices beyond this magnitude, in any clip coordinate, make their triangle unusable (R13).
 inline constexpr double largest_clip_coordinate = 18446744073709551616.0;  // 2^64
 
+struct PictureSize {
+    int width, height;  ///< pixels
+};
+
 enum class ClipResult {
     inside,     ///< no plane cuts the triangle
     cut,        ///< the polygon is what remains
@@ -30,6 +34,12 @@ struct ClippedPolygon {
 /// Clips in homogeneous space, before the division: against depth 0 and 1, w > 0 and the guard band
 /// (not the window, whose edges coverage handles exactly). A new vertex is computed from its edge's
 /// inside end to its outside end, so two triangles that share the edge get the same vertex (R08).
-ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& viewport);
+/// @param size of the picture: a triangle wholly beyond one of its sides is rejected
+ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& viewport,
+                    PictureSize size);
+
+/// Whether a vertex in window coordinates can be drawn as it is: finite, within the guard band, w
+/// not 0.
+bool inside_guard_band(const ClipVertex& window_vertex);
 
 }  // namespace twofold

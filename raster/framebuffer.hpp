@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/pass.hpp"
 #include "texunit/numeric_model.hpp"
 
 namespace twofold {
@@ -12,6 +13,8 @@ template <NumericModel M>
 struct RenderTarget {
     int width;
     int height;
+    ColorFormat format;
+    int depth_bits;
     std::vector<Color<typename M::Pixel>> color;
     std::vector<typename M::Depth> depth;
 

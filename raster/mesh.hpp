@@ -15,7 +15,8 @@ enum class Primitive { triangles, triangle_strip, triangle_fan, quads, quad_stri
 struct Mesh {
     std::vector<Vec3> positions;  ///< object space, or window space where the pass says so
     std::vector<Vec3> normals;    ///< one per vertex: unit, object space
-    /// s, t, r, q for each unit: empty or one per vertex. A unit without its own reads those of unit 0.
+    /// s, t, r, q for each unit: empty or one per vertex. A unit without its own reads those of
+    /// unit 0.
     std::array<std::vector<Vec4>, max_units> texcoords;
     std::vector<Vec4> colors;            ///< r, g, b, a in [0, 1]: empty or one per vertex
     std::vector<std::uint32_t> indices;  ///< into the lists above

@@ -82,23 +82,25 @@ struct Scissor {
     bool operator==(const Scissor&) const = default;
 };
 
-/// Window x, y, z = clip x, y, z / w + offset, in pixels with y down and depth 0..1. The scale is folded into
-/// the projection. The offset holds the preset's snap bias where the pass does not give a viewport.
+/// Window x, y, z = clip x, y, z / w + offset, in pixels with y down and depth 0..1. The scale is
+/// folded into the projection. The offset holds the preset's snap bias where the pass does not give
+/// a viewport.
 struct Viewport {
     Vec3 scale;
     Vec3 offset;
     bool operator==(const Viewport&) const = default;
 };
 
-/// The state of one pass over a mesh. Matrices act on column vectors; a triangle is front-facing when its
-/// vertices run counter-clockwise on the screen (y up).
+/// The state of one pass over a mesh. Matrices act on column vectors; a triangle is front-facing
+/// when its vertices run counter-clockwise on the screen (y up).
 struct PassState {
     Mat4 modelview{1.0};
     Mat4 projection{1.0};
     std::optional<Viewport> viewport;  ///< none: the whole picture
-    bool window_space = false;  ///< positions are window x, y (pixels, y down), depth 0..1 and w already
-    Vec4 color{1.0};            ///< r, g, b, a of every vertex of a mesh without colours
-    bool normalize = false;     ///< NORMALIZE: eye-space normals are made unit length
+    bool window_space =
+        false;        ///< positions are window x, y (pixels, y down), depth 0..1 and w already
+    Vec4 color{1.0};  ///< r, g, b, a of every vertex of a mesh without colours
+    bool normalize = false;  ///< NORMALIZE: eye-space normals are made unit length
     CullFace cull = CullFace::none;
     ShadeModel shade_model = ShadeModel::smooth;
     ProvokingVertex provoking_vertex = ProvokingVertex::last;
@@ -127,7 +129,8 @@ struct Pass {
     std::size_t mesh = 0;  ///< index into the frame's meshes
 };
 
-/// How the framebuffer stores colour. Missing alpha reads 1 in blending; `z` formats write it as 0, `o` as 1.
+/// How the framebuffer stores colour. Missing alpha reads 1 in blending; `z` formats write it as 0,
+/// `o` as 1.
 enum class ColorFormat { rgba8888, xrgb8888_z, xrgb8888_o, rgb565, xrgb1555_z, xrgb1555_o };
 
 /// A whole picture as a value: render() needs nothing else.

@@ -17,7 +17,7 @@ struct PlannedStage {
 /// The stages of a pass in pipeline order. A stage that is not called for is not simulated.
 std::vector<PlannedStage> plan(const PassState& state);
 
-/// Texels that one fragment of the pass reads.
+/// Texels that one fragment of the pass reads at most.
 int texel_fetches(const PassState& state);
 
 }  // namespace twofold

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "raster/pass.hpp"
 #include "raster/vertex.hpp"
@@ -21,7 +22,7 @@ struct VertexConstants {
     std::array<Row, 4> composite;  ///< viewport scale x projection x modelview
     std::array<Row, 4> modelview;
     std::array<std::array<Word, 3>, 3> normal;  ///< inverse transpose of the modelview
-    std::array<std::array<Row, 4>, 2> texture;
+    std::array<std::array<Row, 4>, max_units> texture;
 };
 
 /// True when `m` has an inverse that can be used: its determinant is neither zero nor lost beside
@@ -34,6 +35,17 @@ Mat3 normal_matrix(const Mat4& modelview);
 
 /// Whether any enabled unit of the pass needs eye-space normals.
 bool needs_normals(const PassState& state);
+
+/// Whether a unit's coordinates or the fog need the vertex in eye space.
+bool needs_eye_position(const PassState& state);
+
+/// The fog factor f at an eye-space position, 0 all fog to 1 none, by the distance |z / w|.
+/// @source OpenGL 1.3, 3.10, equations 3.24 to 3.26
+double fog_factor(const Fog& fog, const Vec4& eye);
+
+inline Vec4 position_of(const Mesh& mesh, std::size_t i) {
+    return Vec4{mesh.positions[i], mesh.position_w.empty() ? 1.0 : mesh.position_w[i]};
+}
 
 template <class Arithmetic>
 std::array<std::array<typename Arithmetic::Word, 4>, 4> rows_of(const Mat4& m) {
@@ -59,7 +71,7 @@ VertexConstants<Arithmetic> vertex_constants(const PassState& state, const Viewp
                 c.normal[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
                     Arithmetic::from_double(normal[j][i]);
     }
-    for (std::size_t u = 0; u < 2; ++u)
+    for (std::size_t u = 0; u < max_units; ++u)
         if (state.units[u]) c.texture[u] = rows_of<Arithmetic>(state.units[u]->matrix);
     return c;
 }
@@ -98,67 +110,70 @@ Vector3<Arithmetic> eye_normal(const VertexConstants<Arithmetic>& c, const PassS
     return state.normalize ? unit<Arithmetic>(eye) : eye;
 }
 
-/// The texture coordinates of one unit before its matrix: the vertex's own or generated ones, q
-/// = 1.
-template <class Arithmetic>
-std::array<typename Arithmetic::Word, 4> unit_coords(const VertexConstants<Arithmetic>& c,
-                                                     const PassState& state, TexGen texgen,
-                                                     const Mesh& mesh, std::size_t i) {
-    if (texgen == TexGen::none)
-        return words_of<Arithmetic>(mesh.texcoords.empty() ? Vec4{0.0, 0.0, 0.0, 1.0}
-                                                           : mesh.texcoords[i]);
-    Vector3<Arithmetic> v = eye_normal<Arithmetic>(c, state, mesh, i);
-    if (texgen == TexGen::reflection_map) {
-        const auto position = words_of<Arithmetic>(Vec4{mesh.positions[i], 1.0});
-        v = reflection_map<Arithmetic>(multiply<Arithmetic>(c.modelview, position), v);
-    }
-    return {v[0], v[1], v[2], Arithmetic::from_double(1.0)};
+/// The vertex's own coordinates for a unit: the unit's set, or that of unit 0, or (0, 0, 0, 1).
+inline Vec4 own_coords(const Mesh& mesh, std::size_t unit, std::size_t i) {
+    for (const auto* set : {&mesh.texcoords[unit], &mesh.texcoords[0]})
+        if (!set->empty()) return (*set)[i];
+    return Vec4{0.0, 0.0, 0.0, 1.0};
 }
 
-/// The whole vertex stage for vertex i of the mesh.
+/// What the vertex stage knows of a vertex before texture coordinates are made.
+template <class Arithmetic>
+struct EyeVertex {
+    std::array<typename Arithmetic::Word, 4> object, eye;
+    Vector3<Arithmetic> normal;
+};
+
+template <class Arithmetic>
+EyeVertex<Arithmetic> eye_vertex(const VertexConstants<Arithmetic>& c, const PassState& state,
+                                 const Mesh& mesh, std::size_t i) {
+    EyeVertex<Arithmetic> v{};
+    v.object = words_of<Arithmetic>(position_of(mesh, i));
+    if (needs_eye_position(state)) v.eye = multiply<Arithmetic>(c.modelview, v.object);
+    if (needs_normals(state)) v.normal = eye_normal<Arithmetic>(c, state, mesh, i);
+    return v;
+}
+
+/// The texture coordinates of every enabled unit behind its matrix.
+template <class Arithmetic>
+void transform_coords(const VertexConstants<Arithmetic>& c, const PassState& state,
+                      const Mesh& mesh, std::size_t i, const EyeVertex<Arithmetic>& v,
+                      ClipVertex& out) {
+    for (std::size_t u = 0; u < max_units; ++u) {
+        if (!state.units[u]) continue;
+        const auto own = words_of<Arithmetic>(own_coords(mesh, u, i));
+        const auto made =
+            generate<Arithmetic>(state.units[u]->texgen, own, v.object, v.eye, v.normal);
+        out.coords[u] = to_vec4<Arithmetic>(multiply<Arithmetic>(c.texture[u], made));
+    }
+}
+
+/// The whole vertex stage for vertex i of the mesh. Window-space positions are passed on as they
+/// are.
 template <class Arithmetic>
 ClipVertex transform_vertex(const VertexConstants<Arithmetic>& c, const PassState& state,
                             const Mesh& mesh, std::size_t i) {
-    ClipVertex out;
-    const auto position = words_of<Arithmetic>(Vec4{mesh.positions[i], 1.0});
-    out.clip = to_vec4<Arithmetic>(multiply<Arithmetic>(c.composite, position));
+    ClipVertex out{};
+    const EyeVertex<Arithmetic> v = eye_vertex<Arithmetic>(c, state, mesh, i);
+    out.clip = state.window_space
+                   ? position_of(mesh, i)
+                   : to_vec4<Arithmetic>(multiply<Arithmetic>(c.composite, v.object));
     out.color = mesh.colors.empty() ? state.color : mesh.colors[i];
-    for (std::size_t u = 0; u < 2; ++u) {
-        if (!state.units[u]) continue;
-        const auto coords = unit_coords<Arithmetic>(c, state, state.units[u]->texgen, mesh, i);
-        out.coords[u] = to_vec4<Arithmetic>(multiply<Arithmetic>(c.texture[u], coords));
-    }
+    if (!mesh.secondary_colors.empty()) out.secondary_color = mesh.secondary_colors[i];
+    if (state.fog) out.secondary_color.w = fog_factor(*state.fog, to_vec4<Arithmetic>(v.eye));
+    transform_coords<Arithmetic>(c, state, mesh, i, v, out);
     return out;
 }
 
-/// A window coordinate in snap units, cut toward zero.
-constexpr std::int64_t snapped(double x, int fraction_bits) {
-    return static_cast<std::int64_t>(x * static_cast<double>(std::int64_t{1} << fraction_bits));
-}
-
-/// Division by w and the snap. The vertex lies inside the guard band: |x|, |y| <= 2^15 pixels.
-template <NumericModel M>
-WindowVertex<M> project(const ClipVertex& v, const Viewport& viewport) {
-    using A = typename M::Vertex;
-    const auto clip = words_of<A>(v.clip);
-    const auto rw = A::clip_reciprocal(clip[3]);
-    const auto window = [&](std::size_t k, double offset) {
-        return A::to_double(A::sum(A::mul(clip[k], rw), A::from_double(offset)));
-    };
-    WindowVertex<M> out;
-    out.x = snapped(window(0, viewport.offset.x), M::snap.fraction_bits);
-    out.y = snapped(window(1, viewport.offset.y), M::snap.fraction_bits);
-    out.z = window(2, viewport.offset.z);
-    out.inverse_w = static_cast<typename M::Real>(A::to_double(A::emitted_reciprocal(rw)));
-    out.color = M::vertex_color(words_of<A>(v.color));
-    for (std::size_t u = 0; u < 2; ++u) {
-        const auto coords = words_of<A>(v.coords[u]);
-        const std::array<std::size_t, 3> stq{0, 1, 3};
-        for (std::size_t k = 0; k < 3; ++k)
-            out.coords[u][k] =
-                static_cast<typename M::Real>(A::to_double(A::mul(coords[stq[k]], rw)));
-    }
-    return out;
+template <class Arithmetic>
+std::vector<ClipVertex> transform_mesh(const PassState& state, const Mesh& mesh,
+                                       const Viewport& viewport) {
+    const auto constants = vertex_constants<Arithmetic>(state, viewport);
+    std::vector<ClipVertex> vertices;
+    vertices.reserve(mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        vertices.push_back(transform_vertex<Arithmetic>(constants, state, mesh, i));
+    return vertices;
 }
 
 }  // namespace twofold

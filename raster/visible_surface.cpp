@@ -30,50 +30,57 @@ struct DepthBuffer {
 
 /// The weights of the mesh's vertices travel as the texture coordinates of unit 0, so clipped
 /// pieces and perspective need no code of their own.
-std::array<double, 3> vertex_weights(const WindowTriangle<M>& triangle,
-                                     const std::array<std::int64_t, 3>& edge) {
+std::array<double, 3> vertex_weights(const WindowTriangle<M>& triangle, const EdgeValues& edge) {
     const auto at = interpolate_coords<M>(edge, triangle, 0);
     const double sum = at.s + at.t + at.q;
     return {at.s / sum, at.t / sum, at.q / sum};
 }
 
-/// The vertices of the mesh in clip space, three a triangle: each carries its own unit weight.
-std::vector<ClipVertex> weighted_vertices(const PassState& state, const Mesh& mesh,
-                                          const Viewport& viewport) {
-    static constexpr std::array<Vec4, 3> corner{Vec4{1, 0, 0, 0}, Vec4{0, 1, 0, 0},
+/// The corners of the mesh's triangles in clip space, three a triangle: each carries its own unit
+/// weight.
+std::vector<ClipVertex> weighted_corners(const PassState& state, const Mesh& mesh,
+                                         const std::vector<AssembledTriangle>& triangles,
+                                         const Viewport& viewport) {
+    static constexpr std::array<Vec4, 3> weight{Vec4{1, 0, 0, 0}, Vec4{0, 1, 0, 0},
                                                 Vec4{0, 0, 0, 1}};
     const auto constants = vertex_constants<M::Vertex>(state, viewport);
-    std::vector<ClipVertex> vertices(mesh.indices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Vec4 position{mesh.positions[mesh.indices[i]], 1.0};
-        vertices[i].clip = to_vec4<M::Vertex>(
-            multiply<M::Vertex>(constants.composite, words_of<M::Vertex>(position)));
-        vertices[i].coords[0] = corner[i % 3];
-    }
-    return vertices;
+    std::vector<ClipVertex> corners;
+    for (const AssembledTriangle& t : triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            ClipVertex v{};
+            const auto position = words_of<M::Vertex>(position_of(mesh, t.vertex[k]));
+            v.clip = to_vec4<M::Vertex>(multiply<M::Vertex>(constants.composite, position));
+            v.coords[0] = weight[k];
+            corners.push_back(v);
+        }
+    return corners;
 }
 
-std::vector<std::uint32_t> counting(std::size_t n) {
-    std::vector<std::uint32_t> indices(n);
-    for (std::size_t i = 0; i < n; ++i) indices[i] = static_cast<std::uint32_t>(i);
-    return indices;
+/// Triangle k made of corners 3k, 3k + 1, 3k + 2.
+std::vector<AssembledTriangle> counted_triangles(std::size_t n) {
+    std::vector<AssembledTriangle> triangles;
+    for (std::uint32_t i = 0; i < 3 * n; i += 3) triangles.push_back({{i, i + 1, i + 2}, i});
+    return triangles;
 }
 
 void draw_pass(const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
+    const M m;
     const PassState state = normalized(frame.passes[pass].state);
     const Mesh& mesh = frame.meshes[frame.passes[pass].mesh];
-    const Viewport viewport = viewport_of(frame.width, frame.height, M::snap);
+    const WindowRules rules = window_rules(state, {frame.width, frame.height}, m.snap());
+    const auto triangles = assemble(mesh.primitive, mesh.indices, state.provoking_vertex);
+    const int bits = m.snap().fraction_bits;
     DrawCounters ignored;
-    for_each_window_triangle<M>(
-        weighted_vertices(state, mesh, viewport), counting(mesh.indices.size()), viewport,
-        state.cull, ignored,
+    for_each_window_triangle(
+        m, weighted_corners(state, mesh, triangles, rules.viewport),
+        counted_triangles(triangles.size()), rules, ignored,
         [&](std::size_t k, const WindowTriangle<M>& triangle, const TriangleSetup& setup) {
             for_each_covered_pixel(
-                setup, M::snap.fraction_bits, buffer.width, buffer.height,
-                [&](int x, int y, const std::array<std::int64_t, 3>& edge) {
+                setup, bits, {0, 0, buffer.width, buffer.height},
+                [&](int x, int y, const EdgeValues& edge) {
                     buffer.keep_nearest(
                         x, y, interpolate_depth<M>(edge, triangle),
-                        {pass, static_cast<std::uint32_t>(k), vertex_weights(triangle, edge)});
+                        {pass, triangles[k].vertex, vertex_weights(triangle, edge)});
                 });
         });
 }

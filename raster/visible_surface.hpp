@@ -10,9 +10,9 @@ namespace twofold {
 /// What is seen through one pixel centre: a triangle of a pass's mesh and the perspective-correct
 /// weights of its three vertices.
 struct SurfacePoint {
-    std::uint32_t pass;             ///< index into the frame's passes
-    std::uint32_t triangle;         ///< of that pass's mesh
-    std::array<double, 3> weights;  ///< >= 0, they sum to 1
+    std::uint32_t pass;                   ///< index into the frame's passes
+    std::array<std::uint32_t, 3> vertex;  ///< of that pass's mesh
+    std::array<double, 3> weights;        ///< >= 0, they sum to 1
 };
 
 struct VisibleSurface {

@@ -28,7 +28,7 @@ struct WorldMesh {
 SurfaceView view_of(const WorldMesh& world, const SurfacePoint& point, Vec3 eye) {
     Vec3 position{0.0}, normal{0.0};
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t vertex = world.mesh.indices[3 * point.triangle + k];
+        const std::uint32_t vertex = point.vertex[k];
         position += point.weights[k] * world.position(vertex);
         normal += point.weights[k] * world.normal(vertex);
     }

@@ -62,7 +62,7 @@ std::size_t add_factor_textures(Frame& frame, const FactoredLighting& lighting, 
 TextureUnitState factor_unit(const FrameBuilder& b, TexGen texgen, std::size_t texture, Face face) {
     TextureUnitState unit;
     unit.texture = texture;
-    unit.texgen = texgen;
+    unit.texgen = texgen_all(texgen);
     unit.matrix =
         paraboloid_matrix(face, b.scene.factorization.guard) * Mat4{glm::transpose(Mat3{b.view})};
     return unit;
@@ -82,7 +82,7 @@ void add_four_passes(FrameBuilder& b, const FactoredObject& object,
         for (std::size_t j = 0; j < 2; ++j) {
             state.units[0] = factor_unit(b, TexGen::normal_map, textures + i, faces[i]);
             state.units[1] = factor_unit(b, TexGen::reflection_map, textures + 2 + j, faces[j]);
-            state.units[1]->rgb_scale = lighting.combiner_scale;
+            state.units[1]->env.rgb_scale = lighting.combiner_scale;
             b.frame.passes.push_back({state, b.meshes.at(object.mesh)});
         }
 }

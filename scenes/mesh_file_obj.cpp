@@ -221,7 +221,7 @@ void append_vertex(Mesh& mesh, const ObjContent& content, const std::vector<Vec3
                                : normalized(content.normals[static_cast<std::size_t>(corner[2])]));
     if (content.has_colors) mesh.colors.push_back(content.colors[v]);
     if (!content.texcoords.empty())
-        mesh.texcoords.push_back(corner[1] < 0
+        mesh.texcoords[0].push_back(corner[1] < 0
                                      ? Vec4(0.0, 0.0, 0.0, 1.0)
                                      : content.texcoords[static_cast<std::size_t>(corner[1])]);
 }

@@ -67,7 +67,7 @@ Mesh quad_mesh() {
     for (const Vec2 corner : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
         mesh.positions.emplace_back(2.0 * corner.x - 1.0, 2.0 * corner.y - 1.0, 0.0);
         mesh.normals.emplace_back(0.0, 0.0, 1.0);
-        mesh.texcoords.emplace_back(corner.x, corner.y, 0.0, 1.0);
+        mesh.texcoords[0].emplace_back(corner.x, corner.y, 0.0, 1.0);
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};
     return mesh;

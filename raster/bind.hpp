@@ -1,0 +1,74 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "raster/pass.hpp"
+#include "texunit/combiner.hpp"
+#include "texunit/sample.hpp"
+
+/// A pass with everything that is the same for all its fragments, converted once into the preset's
+/// formats.
+namespace twofold {
+
+/// A texture unit that is on, with what it reads.
+template <NumericModel M>
+struct BoundUnit {
+    std::size_t index;  ///< 0 to max_units - 1
+    TextureUnitState state;
+    const UploadedTexture<M>* texture;
+    Color<typename M::Channel> border;
+    Color<typename M::Channel> env_color;
+    bool derivatives;  ///< the lookup needs the neighbouring pixels' coordinates
+};
+
+template <NumericModel M>
+struct BoundPass {
+    const M& m;
+    PassState state;
+    std::vector<BoundUnit<M>> units;
+    std::optional<BoundCombiners<M>> combiners;
+    Color<typename M::Channel> fog_color;
+    Color<typename M::Pixel> blend_color;
+    typename M::Pixel alpha_reference;
+};
+
+template <NumericModel M>
+Color<typename M::Channel> channels_of(const M& m, const Vec4& c) {
+    return m.texel(Rgba32f{static_cast<float>(c.x), static_cast<float>(c.y),
+                           static_cast<float>(c.z), static_cast<float>(c.w)});
+}
+
+template <NumericModel M>
+Color<typename M::Pixel> pixels_of(const M& m, const Vec4& c) {
+    return {m.pixel(c.x), m.pixel(c.y), m.pixel(c.z), m.pixel(c.w)};
+}
+
+template <NumericModel M>
+BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& state,
+                       const UploadedTexture<M>& texture) {
+    return {index,
+            state,
+            &texture,
+            channels_of(m, state.border_color),
+            channels_of(m, state.env.color),
+            needs_derivatives(state, texture.has_mipmaps())};
+}
+
+/// @param textures the frame's, uploaded; @param white what a unit without a texture reads (T11)
+template <NumericModel M>
+BoundPass<M> bind(const M& m, const PassState& state,
+                  const std::vector<UploadedTexture<M>>& textures,
+                  const UploadedTexture<M>& white) {
+    BoundPass<M> bound{m, state, {}, std::nullopt, {}, {}, {}};
+    for (std::size_t u = 0; u < max_units; ++u)
+        if (const auto& unit = state.units[u])
+            bound.units.push_back(
+                bind_unit(m, u, *unit, unit->texture ? textures[*unit->texture] : white));
+    if (state.combiners) bound.combiners = bind_combiners(m, *state.combiners);
+    if (state.fog) bound.fog_color = channels_of(m, Vec4{state.fog->color, 0.0});
+    if (state.blend) bound.blend_color = pixels_of(m, state.blend->color);
+    bound.alpha_reference = m.pixel(state.alpha_test ? state.alpha_test->reference : 0.0);
+    return bound;
+}
+
+}  // namespace twofold
