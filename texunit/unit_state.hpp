@@ -30,6 +30,27 @@ constexpr TexGenState texgen_all(TexGen mode) {
     return state;
 }
 
+constexpr bool any_mode(const TexGenState& texgen, TexGen a, TexGen b, TexGen c) {
+    for (const TexGen mode : texgen.mode)
+        if (mode == a || mode == b || mode == c) return true;
+    return false;
+}
+
+/// Whether a coordinate is made from the reflected view.
+constexpr bool uses_reflection(const TexGenState& texgen) {
+    return any_mode(texgen, TexGen::sphere_map, TexGen::reflection_map, TexGen::reflection_map);
+}
+
+/// Whether a coordinate is made from the eye-space normal.
+constexpr bool uses_normal(const TexGenState& texgen) {
+    return any_mode(texgen, TexGen::normal_map, TexGen::sphere_map, TexGen::reflection_map);
+}
+
+/// Whether a coordinate is made from the eye-space position.
+constexpr bool uses_eye_position(const TexGenState& texgen) {
+    return any_mode(texgen, TexGen::eye_linear, TexGen::sphere_map, TexGen::reflection_map);
+}
+
 /// @source OpenGL 1.3, 3.8.4 and 3.8.5; mirrored_repeat of OpenGL 1.4, 3.8.6
 enum class Wrap { repeat, clamp, clamp_to_edge, clamp_to_border, mirrored_repeat };
 
