@@ -43,7 +43,7 @@ namespace {
 Vec3 interpolated(const SurfacePoint& p, const Mesh& mesh, const std::vector<Vec3>& vectors) {
     Vec3 sum{0.0};
     for (std::size_t k = 0; k < 3; ++k)
-        sum += p.weights[k] * vectors[mesh.indices[3 * p.triangle + k]];
+        sum += p.weights[k] * vectors[p.vertex[k]];
     return sum;
 }
 

@@ -45,7 +45,7 @@ inline Mesh triangles(const std::vector<Vec3>& positions) {
 inline Mesh rectangle(double x0, double y0, double x1, double y1, double z = 0.0) {
     Mesh mesh;
     mesh.positions = {{x0, y1, z}, {x1, y1, z}, {x1, y0, z}, {x0, y0, z}};
-    mesh.texcoords = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}};
+    mesh.texcoords[0] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}};
     mesh.indices = {0, 1, 2, 0, 2, 3};
     return mesh;
 }
@@ -161,7 +161,7 @@ inline constexpr std::array<Rgba8, 4> face_colors{Rgba8{255, 80, 80, 255}, Rgba8
 
 inline TextureUnitState map_unit(TexGen texgen, Face face) {
     TextureUnitState unit;
-    unit.texgen = texgen;
+    unit.texgen = texgen_all(texgen);
     unit.texture = (texgen == TexGen::normal_map ? 0u : 2u) + (face == Face::front ? 0u : 1u);
     unit.matrix = paraboloid_matrix(face, map_guard) * inverse_view_rotation();
     return unit;
@@ -196,7 +196,7 @@ inline Frame sphere_frame(int n, int size) {
 inline Frame floor_frame() {
     Mesh floor = triangles({{-40, -1, 5}, {40, -1, 5}, {40, -1, -60}, {-40, -1, -60}});
     floor.indices = {0, 1, 2, 0, 2, 3};
-    for (const Vec3& p : floor.positions) floor.texcoords.push_back({p.x / 2, p.z / 2, 0.0, 1.0});
+    for (const Vec3& p : floor.positions) floor.texcoords[0].push_back({p.x / 2, p.z / 2, 0.0, 1.0});
     floor.colors = {{1, 1, 1, 1}, {1, 0.7, 0.4, 1}, {0.2, 0.3, 0.9, 1}, {0.3, 0.9, 0.5, 1}};
     PassState state;
     state.projection = frustum(0.25, 100.0);

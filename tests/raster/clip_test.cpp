@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "raster/project.hpp"
 #include "raster/transform.hpp"
 #include "texunit/ideal64.hpp"
 #include "texunit/random.hpp"
@@ -12,7 +13,7 @@
 namespace {
 using namespace twofold;
 
-const Viewport view = viewport_of(64, 64, Ideal64::snap);
+const Viewport view = viewport_of(64, 64, Ideal64{}.snap());
 
 ClipVertex vertex(double x, double y, double z, double w) {
     ClipVertex v{};
@@ -23,7 +24,7 @@ ClipVertex vertex(double x, double y, double z, double w) {
 
 ClippedPolygon clipped(Vec4 a, Vec4 b, Vec4 c) {
     return clip(
-        {vertex(a.x, a.y, a.z, a.w), vertex(b.x, b.y, b.z, b.w), vertex(c.x, c.y, c.z, c.w)}, view);
+        {vertex(a.x, a.y, a.z, a.w), vertex(b.x, b.y, b.z, b.w), vertex(c.x, c.y, c.z, c.w)}, view, {64, 64});
 }
 
 /// What later stages rely on: w > 0, depth in 0..1 and a place within the guard band, up to
@@ -68,7 +69,7 @@ TEST_CASE("R07 vertices with w = 0 are cut away before the division", "[hard][R0
         CHECK(p.result == ClipResult::cut);
         CHECK(p.size >= 3);
         CHECK(keeps_its_promise(p));
-        for (std::size_t k = 0; k < p.size; ++k) project<Ideal64>(p.vertices[k], view);
+        for (std::size_t k = 0; k < p.size; ++k) project(Ideal64{}, p.vertices[k], view, true);
     }
     CHECK(clipped(a0, b0, c0).result == ClipResult::rejected);
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID) == 0);

@@ -9,7 +9,7 @@ using namespace twofold;
 std::set<std::pair<int, int>> covered(const std::array<WindowPoint, 3>& p, int bits, int width,
                                       int height) {
     std::set<std::pair<int, int>> pixels;
-    for_each_covered_pixel(set_up(p), bits, width, height,
+    for_each_covered_pixel(set_up(p), bits, {0, 0, width, height},
                            [&](int x, int y, const std::array<std::int64_t, 3>&) {
                                pixels.insert({x, y});
                            });
@@ -46,7 +46,7 @@ TEST_CASE("a triangle covers the pixels whose centres it holds, on the grid of a
 TEST_CASE("pixels are visited by rows from the top, left to right, within the target",
           "[coverage]") {
     std::vector<int> order;
-    for_each_covered_pixel(set_up({WindowPoint{-800, -800}, {8000, -800}, {-800, 8000}}), 4, 5, 3,
+    for_each_covered_pixel(set_up({WindowPoint{-800, -800}, {8000, -800}, {-800, 8000}}), 4, {0, 0, 5, 3},
                            [&](int x, int y, const auto&) { order.push_back(5 * y + x); });
     REQUIRE(order.size() == 15);
     for (int i = 0; i < 15; ++i) CHECK(order[static_cast<std::size_t>(i)] == i);
@@ -54,7 +54,7 @@ TEST_CASE("pixels are visited by rows from the top, left to right, within the ta
 
 TEST_CASE("edge values handed out are those at the pixel's centre", "[coverage]") {
     const TriangleSetup t = set_up({WindowPoint{0, 0}, {160, 0}, {0, 160}});
-    for_each_covered_pixel(t, 4, 16, 16, [&](int x, int y, const std::array<std::int64_t, 3>& e) {
+    for_each_covered_pixel(t, 4, {0, 0, 16, 16}, [&](int x, int y, const std::array<std::int64_t, 3>& e) {
         for (std::size_t k = 0; k < 3; ++k) CHECK(e[k] == t.edge[k].at({16 * x + 8, 16 * y + 8}));
     });
 }

@@ -19,7 +19,7 @@ std::array<WindowVertex<M>, 3> corners() {
         // Texture coordinates (k, 1 - k) over w.
         const auto rw = v[k].inverse_w;
         const auto s = static_cast<typename M::Real>(k);
-        v[k].coords[1] = {s * rw, (1 - s) * rw, rw};
+        v[k].coords[1] = {s * rw, (1 - s) * rw, 0, rw};
     }
     return v;
 }
@@ -33,7 +33,7 @@ TEMPLATE_TEST_CASE("at a vertex everything has that vertex's value", "[interpola
         std::array<std::int64_t, 3> e{};
         e[k] = 1000;
         CHECK(interpolate_depth<M>(e, v) == v[k].z);
-        CHECK(M::to_unorm8(M::finish(interpolate_color<M>(e, v)[0])) ==
+        CHECK(M{}.to_unorm8(M{}.finish(interpolate_color<M>(M{}, e, v, &WindowVertex<M>::color)[0])) ==
               50 + 100 * static_cast<int>(k));
         const auto at = interpolate_coords<M>(e, v, 1);
         CHECK(at.s / at.q == static_cast<typename M::Real>(k));
@@ -56,9 +56,9 @@ TEMPLATE_TEST_CASE("coordinates and colours are correct in perspective", "[inter
     const auto at = interpolate_coords<M>({5, 5, 0}, v, 1);
     CHECK(static_cast<double>(at.s / at.q) == Approx(1.0 / 3));
     CHECK(static_cast<double>(at.t / at.q) == Approx(2.0 / 3));
-    const auto color = interpolate_color<M>({5, 5, 0}, v);
+    const auto color = interpolate_color<M>(M{}, {5, 5, 0}, v, &WindowVertex<M>::color);
     // 50 + 100 / 3; on nv17 vertex 1 gets 86/256, what the cut of 170.67 leaves.
-    CHECK(M::to_unorm8(M::finish(color[0])) == (M::preset == Preset::nv17 ? 84 : 83));
-    CHECK(M::to_unorm8(M::finish(color[1])) == 7);
-    CHECK(M::to_unorm8(M::finish(color[3])) == 255);
+    CHECK(M{}.to_unorm8(M{}.finish(color[0])) == (M::preset == Preset::nv17 ? 84 : 83));
+    CHECK(M{}.to_unorm8(M{}.finish(color[1])) == 7);
+    CHECK(M{}.to_unorm8(M{}.finish(color[3])) == 255);
 }

@@ -24,7 +24,7 @@ TEST_CASE("what can change a pixel stays", "[pass]") {
     state.blend = Blend{BlendFactor::one, BlendFactor::one};
     state.depth_test = DepthTest{CompareFunc::always, true};
     state.units[1] = TextureUnitState{};
-    state.units[1]->texgen = TexGen::normal_map;
+    state.units[1]->texgen = texgen_all(TexGen::normal_map);
     state.normalize = true;
     CHECK(normalized(state) == state);
     state.depth_test = DepthTest{CompareFunc::never, false};

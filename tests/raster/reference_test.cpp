@@ -61,7 +61,7 @@ TEST_CASE("a 2 x 2 texture magnified to 8 x 8 has the values computed by hand", 
 
 TEST_CASE("nearest magnification repeats texels, rows bottom up", "[reference]") {
     TextureUnitState unit;
-    unit.filter = Filter::nearest;
+    unit.min_filter = unit.mag_filter = Filter::nearest;
     for (const Preset preset : all_presets) {
         const auto picture =
             render_reference(textured_frame(4, grey_texture(2, 2, {1, 2, 3, 4}), unit), preset);
@@ -76,7 +76,7 @@ TEST_CASE("texture coordinates are perspective-correct against the closed form",
     const auto z = [](double x) { return -2.0 - 0.5 * x; };
     for (const auto& [x, y] : {std::pair{-1.5, -9.0}, {1.5, -9.0}, {1.5, 9.0}, {-1.5, 9.0}}) {
         mesh.positions.push_back({x, y, z(x)});
-        mesh.texcoords.push_back({(x + 1.5) / 3.0, 0.0, 0.0, 1.0});
+        mesh.texcoords[0].push_back({(x + 1.5) / 3.0, 0.0, 0.0, 1.0});
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};
     PassState state;
@@ -187,7 +187,7 @@ TEST_CASE("two units multiply their textures and the colour, and scale works on 
     state.units = {TextureUnitState{}, TextureUnitState{}};
     state.units[0]->texture = 0;
     state.units[1]->texture = 1;
-    state.units[1]->rgb_scale = 4;
+    state.units[1]->env.rgb_scale = 4;
     Frame frame = pixel_frame(2, 2, rectangle(0, 0, 2, 2), state);
     frame.textures = {{1, 1, std::vector<Rgba8>{{200, 200, 200, 100}}},
                       {1, 1, std::vector<Rgba8>{{90, 90, 90, 255}}}};
@@ -246,7 +246,7 @@ TEST_CASE("what cannot be drawn is refused with its name and number", "[referenc
     f.meshes[0].colors = {Vec4{1.0}};
     CHECK(message_of(f) == "mesh 0: 1 colors for 24 positions");
     f = good;
-    f.meshes[0].texcoords = {Vec4{1.0}};
+    f.meshes[0].texcoords[0] = {Vec4{1.0}};
     CHECK(message_of(f) == "mesh 0: 1 texcoords for 24 positions");
     f = good;
     f.textures[3].width = 0;
@@ -261,8 +261,8 @@ TEST_CASE("what cannot be drawn is refused with its name and number", "[referenc
     f.passes[1].state.units[1]->texture = 4;
     CHECK(message_of(f) == "pass 1: no texture 4");
     f = good;
-    f.passes[1].state.units[1]->rgb_scale = 3;
-    CHECK(message_of(f) == "pass 1: rgb_scale 3 is not 1, 2 or 4");
+    f.passes[1].state.units[1]->env.rgb_scale = 3;
+    CHECK(message_of(f) == "pass 1: scale 3 is not 1, 2 or 4");
 }
 
 TEST_CASE("drawing twice gives the same picture", "[reference]") {

@@ -1,3 +1,4 @@
+#include "raster/project.hpp"
 #include "raster/transform.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,11 +18,11 @@ template <NumericModel M>
 WindowVertex<M> window_vertex(double x, double y, double z = 0.5) {
     PassState state;
     state.projection = pixel_projection(edge, edge);
-    const Viewport viewport = viewport_of(edge, edge, M::snap);
+    const Viewport viewport = viewport_of(edge, edge, M{}.snap());
     using A = typename M::Vertex;
     const Mesh mesh = triangles({{x, y, z}});
     const auto constants = vertex_constants<A>(state, viewport);
-    return project<M>(transform_vertex<A>(constants, state, mesh, 0), viewport);
+    return project(M{}, transform_vertex<A>(constants, state, mesh, 0), viewport, true);
 }
 
 std::int64_t cut_toward_zero(double x) {
@@ -32,7 +33,7 @@ std::int64_t cut_toward_zero(double x) {
 TEMPLATE_TEST_CASE("R16 half a snap step rounds up by the bias, then cuts toward zero",
                    "[hard][R16]", Ideal64, Float32, Gl13, Nv17) {
     using M = TestType;
-    const double steps = static_cast<double>(1 << M::snap.fraction_bits);
+    const double steps = static_cast<double>(1 << M{}.snap().fraction_bits);
     for (const double whole : {0.0, 100.0, 1000.0})
         for (int tie = 0; tie < 16; ++tie)
             for (const double sign : {1.0, -1.0}) {
@@ -49,7 +50,7 @@ TEMPLATE_TEST_CASE("R16 half a snap step rounds up by the bias, then cuts toward
 TEMPLATE_TEST_CASE("places on the snap grid stay where they are", "[transform]", Ideal64, Float32,
                    Gl13, Nv17) {
     using M = TestType;
-    const std::int64_t steps = 1 << M::snap.fraction_bits;
+    const std::int64_t steps = 1 << M{}.snap().fraction_bits;
     for (int k = 0; k <= 16 * 40; ++k) {
         const auto v = window_vertex<M>(k / 16.0, 1000.0 - k / 16.0);
         CHECK(v.x == k * steps / 16);
@@ -76,14 +77,14 @@ TEMPLATE_TEST_CASE("texture coordinates are carried over w", "[transform]", Idea
     state.units[1] = TextureUnitState{};
     state.units[1]->matrix[0][0] = 2.0;
     Mesh mesh = triangles({{0.0, 0.0, -4.0}});
-    mesh.texcoords = {{0.5, 0.25, 9.0, 1.0}};
-    const Viewport viewport = viewport_of(64, 64, M::snap);
+    mesh.texcoords[0] = {{0.5, 0.25, 9.0, 1.0}};
+    const Viewport viewport = viewport_of(64, 64, M{}.snap());
     const auto constants = vertex_constants<A>(state, viewport);
-    const auto v = project<M>(transform_vertex<A>(constants, state, mesh, 0), viewport);
+    const auto v = project(M{}, transform_vertex<A>(constants, state, mesh, 0), viewport, true);
     using Real = typename M::Real;
     CHECK(v.inverse_w == Real{1} / 4);
-    CHECK(v.coords[1] == std::array<Real, 3>{Real{1} / 4, Real{1} / 16, Real{1} / 4});
-    CHECK(v.x == 32 << M::snap.fraction_bits);
+    CHECK(v.coords[1] == std::array<Real, 4>{Real{1} / 4, Real{1} / 16, Real{9} / 4, Real{1} / 4});
+    CHECK(v.x == 32 << M{}.snap().fraction_bits);
 }
 
 TEST_CASE("R18 a singular modelview transforms no normals and is named", "[hard][R18]") {
@@ -117,11 +118,11 @@ TEMPLATE_TEST_CASE("eye normals are scaled by the modelview unless NORMALIZE is 
     state.modelview = Mat4{0.5};
     state.modelview[3][3] = 1.0;
     state.units[0] = TextureUnitState{};
-    state.units[0]->texgen = TexGen::normal_map;
+    state.units[0]->texgen = texgen_all(TexGen::normal_map);
     Mesh mesh = triangles({{0.0, 0.0, 0.0}});
     mesh.normals = {{0.0, 0.6, 0.8}};
     const auto z_of = [&] {
-        const auto constants = vertex_constants<A>(state, viewport_of(4, 4, Nv17::snap));
+        const auto constants = vertex_constants<A>(state, viewport_of(4, 4, Nv17{}.snap()));
         return transform_vertex<A>(constants, state, mesh, 0).coords[0].z;
     };
     CHECK(z_of() == Approx(1.6).epsilon(1e-6));
@@ -135,6 +136,6 @@ TEST_CASE("only generated coordinates need normals", "[transform]") {
     state.units[0] = TextureUnitState{};
     CHECK_FALSE(needs_normals(state));
     state.units[1] = TextureUnitState{};
-    state.units[1]->texgen = TexGen::reflection_map;
+    state.units[1]->texgen = texgen_all(TexGen::reflection_map);
     CHECK(needs_normals(state));
 }
