@@ -8,9 +8,9 @@ namespace twofold {
 struct Float32 : RealModel<float> {
     using Depth = std::uint32_t;
     static constexpr Preset preset = Preset::float32;
-    static constexpr SnapRule snap{4, 1.0 / 32.0};
 
-    static Depth depth(double z) { return depth_rounded(z, 24); }
+    static SnapRule snap() { return {4, 1.0 / 32.0}; }
+    static Depth depth(double z, int bits) { return depth_rounded(z, bits); }
 };
 
 static_assert(NumericModel<Float32>);

@@ -8,9 +8,9 @@ namespace twofold {
 struct Ideal64 : RealModel<double> {
     using Depth = double;
     static constexpr Preset preset = Preset::ideal64;
-    static constexpr SnapRule snap{12, 1.0 / 8192.0};
 
-    static Depth depth(double z) { return z; }
+    static SnapRule snap() { return {12, 1.0 / 8192.0}; }
+    static Depth depth(double z, int) { return z; }
 };
 
 static_assert(NumericModel<Ideal64>);

@@ -49,8 +49,35 @@ constexpr std::array<std::uint64_t, 128> make_root_seeds() {
     return seeds;
 }
 
-constexpr auto reciprocal_seeds = make_reciprocal_seeds();
-constexpr auto root_seeds = make_root_seeds();
+/// floor(128 / (1 + (i + 1/2) / 64) + 1/2).
+constexpr std::array<std::uint64_t, 64> make_rounded_reciprocal_seeds() {
+    std::array<std::uint64_t, 64> seeds{};
+    for (std::uint64_t i = 0; i < 64; ++i) {
+        const std::uint64_t argument = 129 + 2 * i;
+        seeds[i] = (2 * 16384 + argument) / (2 * argument);
+    }
+    return seeds;
+}
+
+/// The root seeds rounded: the largest T up to 127 with (T - 1/2)^2 x argument <= 128^2.
+constexpr std::array<std::uint64_t, 128> make_rounded_root_seeds() {
+    std::array<std::uint64_t, 128> seeds{};
+    for (std::uint64_t i = 0; i < 128; ++i) {
+        const std::uint64_t argument = (129 + 2 * (i & 63)) << (i >> 6);  // in units of 1/128
+        std::uint64_t t = 127;
+        while ((2 * t - 1) * (2 * t - 1) * argument > 4 * 16384 * 128) --t;
+        seeds[i] = t;
+    }
+    return seeds;
+}
+
+using ReciprocalSeeds = std::array<std::uint64_t, 64>;
+using RootSeeds = std::array<std::uint64_t, 128>;
+
+constexpr ReciprocalSeeds reciprocal_seeds = make_reciprocal_seeds();
+constexpr ReciprocalSeeds rounded_reciprocal_seeds = make_rounded_reciprocal_seeds();
+constexpr RootSeeds root_seeds = make_root_seeds();
+constexpr RootSeeds rounded_root_seeds = make_rounded_root_seeds();
 
 /// One term of sum(): the significand moved to the common exponent and signed.
 std::int64_t aligned(Word a, int common_exponent) {
@@ -73,6 +100,33 @@ Word special_sum(const std::array<Word, 4>& terms) {
         infinity = t;
     }
     return infinity;
+}
+
+/// A seed of 7 bits and two Newton steps in integers.
+Word reciprocal_from(const ReciprocalSeeds& seeds, Word a) {
+    if (is_nan(a)) return nan_word;
+    if (is_zero(a)) return sign_of(a) | infinity_word;
+    if (is_infinite(a)) return sign_of(a);
+    if (fraction_of(a) == 0) return compose(sign_of(a), 254 - exponent_of(a), 1u << 23);
+    const std::uint64_t m = significand_of(a);
+    const std::uint64_t t = seeds[fraction_of(a) >> 17];
+    const std::uint64_t y1 = ((std::uint64_t{1} << 31) - t * m) * t >> 24;
+    const std::uint64_t y2 = ((std::uint64_t{1} << 37) - y1 * m) * y1 >> 25;
+    return compose(sign_of(a), 253 - exponent_of(a), y2);
+}
+
+Word reciprocal_sqrt_from(const RootSeeds& seeds, Word a) {
+    if (is_nan(a)) return nan_word;
+    if (is_zero(a)) return infinity_word;
+    if (is_infinite(a)) return 0;
+    const int e = exponent_of(a);
+    const bool even = (e & 1) == 0;
+    const std::uint64_t m = std::uint64_t{significand_of(a)} << (even ? 1 : 0);
+    const std::uint64_t t = seeds[(fraction_of(a) >> 17) + (even ? 64u : 0u)];
+    const std::uint64_t y1 = ((std::uint64_t{3} << 37) - t * t * m) * t >> 32;
+    const std::uint64_t y2 = ((std::uint64_t{3} << 49) - y1 * y1 * m) * y1 >> 39;
+    const int half = (e - 127) >> 1;  // arithmetic shift: floor
+    return compose(0, 126 - half, y2);
 }
 
 }  // namespace
@@ -108,17 +162,8 @@ Word sum(Word a, Word b, Word c, Word d) {
     return compose(sign, exponent - shift, significand >> 7);
 }
 
-Word reciprocal(Word a) {
-    if (is_nan(a)) return nan_word;
-    if (is_zero(a)) return sign_of(a) | infinity_word;
-    if (is_infinite(a)) return sign_of(a);
-    if (fraction_of(a) == 0) return compose(sign_of(a), 254 - exponent_of(a), 1u << 23);
-    const std::uint64_t m = significand_of(a);
-    const std::uint64_t t = reciprocal_seeds[fraction_of(a) >> 17];
-    const std::uint64_t y1 = ((std::uint64_t{1} << 31) - t * m) * t >> 24;
-    const std::uint64_t y2 = ((std::uint64_t{1} << 37) - y1 * m) * y1 >> 25;
-    return compose(sign_of(a), 253 - exponent_of(a), y2);
-}
+Word reciprocal(Word a) { return reciprocal_from(reciprocal_seeds, a); }
+Word reciprocal_v2(Word a) { return reciprocal_from(rounded_reciprocal_seeds, a); }
 
 Word clip_reciprocal(Word w) {
     const Word r = reciprocal(w);
@@ -128,19 +173,16 @@ Word clip_reciprocal(Word w) {
     return sign_of(r) | static_cast<Word>(held) << 23 | fraction_of(r);
 }
 
-Word reciprocal_sqrt(Word a) {
-    if (is_nan(a)) return nan_word;
-    if (is_zero(a)) return infinity_word;
-    if (is_infinite(a)) return 0;
-    const int e = exponent_of(a);
-    const bool even = (e & 1) == 0;
-    const std::uint64_t m = std::uint64_t{significand_of(a)} << (even ? 1 : 0);
-    const std::uint64_t t = root_seeds[(fraction_of(a) >> 17) + (even ? 64u : 0u)];
-    const std::uint64_t y1 = ((std::uint64_t{3} << 37) - t * t * m) * t >> 32;
-    const std::uint64_t y2 = ((std::uint64_t{3} << 49) - y1 * y1 * m) * y1 >> 39;
-    const int half = (e - 127) >> 1;  // arithmetic shift: floor
-    return compose(0, 126 - half, y2);
+Word clip_reciprocal_v2(Word w) {
+    const Word r = reciprocal_v2(w);
+    if (is_nan(r)) return r;
+    const int e = exponent_of(r);
+    if (e < 63) return sign_of(r) | Word{63} << 23;
+    return e > 191 ? sign_of(r) | Word{191} << 23 : r;
 }
+
+Word reciprocal_sqrt(Word a) { return reciprocal_sqrt_from(root_seeds, a); }
+Word reciprocal_sqrt_v2(Word a) { return reciprocal_sqrt_from(rounded_root_seeds, a); }
 
 int float_to_byte(Word a) {
     const int e = exponent_of(a);

@@ -1,9 +1,10 @@
 #pragma once
 #include <cstdint>
 
-/// Vertex arithmetic of the NV1x transform engine on binary32 bit patterns: truncation toward zero,
-/// sums of up to four terms aligned at once, reciprocals from a seed table and two Newton steps.
-/// Denormals count as zero. All in unsigned integers, so every platform computes the same bits.
+/// Vertex arithmetic of the NV1x and NV2x transform engines on binary32 bit patterns: truncation
+/// toward zero, sums of up to four terms aligned at once, reciprocals from a seed table and two
+/// Newton steps. Denormals count as zero. All in unsigned integers, so every platform computes the
+/// same bits.
 /// @source public NV1x model of envytools (nvhw/pgraph_celsius_xfrm.c, nvhw/xf.c), restated
 namespace twofold::nv1x {
 
@@ -25,6 +26,12 @@ Word clip_reciprocal(Word w);
 
 /// 1 / sqrt(|a|) to 7.31e-7 relative.
 Word reciprocal_sqrt(Word a);
+
+/// The same three of NV2x (version 2 of the public model): seeds rounded to nearest instead of cut,
+/// and a clip reciprocal whose exponent is held loses its fraction. To 2^-22.1 and 3.1e-7 relative.
+Word reciprocal_v2(Word a);
+Word clip_reciprocal_v2(Word w);
+Word reciprocal_sqrt_v2(Word a);
 
 /// Colour component to byte: cut to 13 fraction bits, times 255, halves up, by sign for NaN and
 /// infinity.
@@ -57,6 +64,16 @@ struct Nv1xArithmetic {
     /// The chip makes r + (0,0,1) for SPHERE_MAP first and takes 1 off again for REFLECTION_MAP, so
     /// r_z loses its low bits near 0.
     static Word reflect(Word scaled, Word e, bool is_z);
+};
+
+/// The same with the reciprocals of NV2x.
+struct Nv2xArithmetic : Nv1xArithmetic {
+    static Word reciprocal(Word a) { return nv1x::reciprocal_v2(a); }
+    static Word clip_reciprocal(Word w) { return nv1x::clip_reciprocal_v2(w); }
+    /// 1/w stays whole. Inferred: perspective captures of NV2A fit exact coordinates within 5e-5
+    /// texel, which 16 bits of it would not give.
+    static Word emitted_reciprocal(Word rw) { return rw; }
+    static Word reciprocal_sqrt(Word a) { return nv1x::reciprocal_sqrt_v2(a); }
 };
 
 }  // namespace twofold

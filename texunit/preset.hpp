@@ -9,10 +9,11 @@
 /// `explain --preset` prints it; the arithmetic itself is in the header of the same name.
 namespace twofold {
 
-enum class Preset { ideal64, float32, gl13, nv17 };
+enum class Preset { ideal64, float32, gl13, nv2x, nv17, coarse8, custom };
 
+/// The presets that are fixed; `custom` is what its settings say (custom.hpp).
 inline constexpr std::array all_presets{Preset::ideal64, Preset::float32, Preset::gl13,
-                                        Preset::nv17};
+                                        Preset::nv2x,    Preset::nv17,    Preset::coarse8};
 
 /// On what a rule stands: `spec` a public document or model of that chip family states it,
 /// `measured` found exactly on captures of real silicon, `inferred` follows from a neighbouring
@@ -35,6 +36,7 @@ struct MarkCounts {
 
 std::string_view name_of(Preset preset);
 std::string_view name_of(Mark mark);
+/// `custom` included.
 std::optional<Preset> preset_named(std::string_view name);
 
 /// One sentence: what the preset is for.
