@@ -40,10 +40,9 @@ TEST_CASE("T13a the pole of the other hemisphere's map lets a shortened normal p
 
 namespace {
 
-Vec3 interpolated(const SurfacePoint& p, const Mesh& mesh, const std::vector<Vec3>& vectors) {
+Vec3 interpolated(const SurfacePoint& p, const std::vector<Vec3>& vectors) {
     Vec3 sum{0.0};
-    for (std::size_t k = 0; k < 3; ++k)
-        sum += p.weights[k] * vectors[p.vertex[k]];
+    for (std::size_t k = 0; k < 3; ++k) sum += p.weights[k] * vectors[p.vertex[k]];
     return sum;
 }
 
@@ -74,7 +73,7 @@ GhostCount count_ghosts(int n, int size, Preset preset) {
     for (std::size_t i = 0; i < picture.bytes.size(); ++i) {
         if (surface.point_of_pixel[i] < 0) continue;
         const auto& p = surface.points[static_cast<std::size_t>(surface.point_of_pixel[i])];
-        const double nz = interpolated(p, mesh, mesh.normals).z, rz = interpolated(p, mesh, r).z;
+        const double nz = interpolated(p, mesh.normals).z, rz = interpolated(p, r).z;
         const Rgba8 shown = picture.bytes[i];
         const bool unpainted = shown == Rgba8{};  // ideal64's coverage reaches a little further
         if (unpainted || std::fabs(nz) < 0.15 || std::fabs(rz) < 0.15) continue;

@@ -11,6 +11,13 @@
 /// Small meshes, textures and states that the raster tests share.
 namespace twofold::test {
 
+/// The presets that follow the text of OpenGL: all but coarse8, which white does not leave alone.
+inline constexpr std::array faithful_presets{Preset::ideal64, Preset::float32, Preset::gl13,
+                                             Preset::nv2x, Preset::nv17};
+
+/// The presets that compute in bytes as the chips do.
+constexpr bool is_chip(Preset preset) { return preset == Preset::nv17 || preset == Preset::nv2x; }
+
 /// Takes (x, y, z) in pixels from the upper left corner and window depth 0..1 to clip space with w
 /// = 1; exact for powers of two.
 inline Mat4 pixel_projection(int width, int height) {
@@ -196,7 +203,8 @@ inline Frame sphere_frame(int n, int size) {
 inline Frame floor_frame() {
     Mesh floor = triangles({{-40, -1, 5}, {40, -1, 5}, {40, -1, -60}, {-40, -1, -60}});
     floor.indices = {0, 1, 2, 0, 2, 3};
-    for (const Vec3& p : floor.positions) floor.texcoords[0].push_back({p.x / 2, p.z / 2, 0.0, 1.0});
+    for (const Vec3& p : floor.positions)
+        floor.texcoords[0].push_back({p.x / 2, p.z / 2, 0.0, 1.0});
     floor.colors = {{1, 1, 1, 1}, {1, 0.7, 0.4, 1}, {0.2, 0.3, 0.9, 1}, {0.3, 0.9, 0.5, 1}};
     PassState state;
     state.projection = frustum(0.25, 100.0);

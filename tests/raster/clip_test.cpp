@@ -24,7 +24,8 @@ ClipVertex vertex(double x, double y, double z, double w) {
 
 ClippedPolygon clipped(Vec4 a, Vec4 b, Vec4 c) {
     return clip(
-        {vertex(a.x, a.y, a.z, a.w), vertex(b.x, b.y, b.z, b.w), vertex(c.x, c.y, c.z, c.w)}, view, {64, 64});
+        {vertex(a.x, a.y, a.z, a.w), vertex(b.x, b.y, b.z, b.w), vertex(c.x, c.y, c.z, c.w)}, view,
+        {64, 64});
 }
 
 /// What later stages rely on: w > 0, depth in 0..1 and a place within the guard band, up to

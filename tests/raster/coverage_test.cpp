@@ -46,7 +46,8 @@ TEST_CASE("a triangle covers the pixels whose centres it holds, on the grid of a
 TEST_CASE("pixels are visited by rows from the top, left to right, within the target",
           "[coverage]") {
     std::vector<int> order;
-    for_each_covered_pixel(set_up({WindowPoint{-800, -800}, {8000, -800}, {-800, 8000}}), 4, {0, 0, 5, 3},
+    for_each_covered_pixel(set_up({WindowPoint{-800, -800}, {8000, -800}, {-800, 8000}}), 4,
+                           {0, 0, 5, 3},
                            [&](int x, int y, const auto&) { order.push_back(5 * y + x); });
     REQUIRE(order.size() == 15);
     for (int i = 0; i < 15; ++i) CHECK(order[static_cast<std::size_t>(i)] == i);
@@ -54,9 +55,11 @@ TEST_CASE("pixels are visited by rows from the top, left to right, within the ta
 
 TEST_CASE("edge values handed out are those at the pixel's centre", "[coverage]") {
     const TriangleSetup t = set_up({WindowPoint{0, 0}, {160, 0}, {0, 160}});
-    for_each_covered_pixel(t, 4, {0, 0, 16, 16}, [&](int x, int y, const std::array<std::int64_t, 3>& e) {
-        for (std::size_t k = 0; k < 3; ++k) CHECK(e[k] == t.edge[k].at({16 * x + 8, 16 * y + 8}));
-    });
+    for_each_covered_pixel(t, 4, {0, 0, 16, 16},
+                           [&](int x, int y, const std::array<std::int64_t, 3>& e) {
+                               for (std::size_t k = 0; k < 3; ++k)
+                                   CHECK(e[k] == t.edge[k].at({16 * x + 8, 16 * y + 8}));
+                           });
 }
 
 TEST_CASE("a target without pixels is never visited", "[coverage]") {

@@ -90,7 +90,8 @@ TEMPLATE_TEST_CASE("a blend is s S + d D in one sum for all pairs of factors", "
         for (const auto& d : colors)
             for (const BlendFactor sf : all_factors)
                 for (const BlendFactor df : all_factors) {
-                    const auto result = blended(M{}, {.source = sf, .destination = df}, {pixels<M>(s), pixels<M>(d), {}});
+                    const auto result = blended(M{}, {.source = sf, .destination = df},
+                                                {pixels<M>(s), pixels<M>(d), {}});
                     for (std::size_t c = 0; c < 4; ++c) {
                         const int sum =
                             s[c] * factor_255(sf, c, s, d) + d[c] * factor_255(df, c, s, d);

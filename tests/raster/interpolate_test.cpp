@@ -33,8 +33,8 @@ TEMPLATE_TEST_CASE("at a vertex everything has that vertex's value", "[interpola
         std::array<std::int64_t, 3> e{};
         e[k] = 1000;
         CHECK(interpolate_depth<M>(e, v) == v[k].z);
-        CHECK(M{}.to_unorm8(M{}.finish(interpolate_color<M>(M{}, e, v, &WindowVertex<M>::color)[0])) ==
-              50 + 100 * static_cast<int>(k));
+        CHECK(M{}.to_unorm8(M{}.finish(interpolate_color<M>(
+                  M{}, e, v, &WindowVertex<M>::color)[0])) == 50 + 100 * static_cast<int>(k));
         const auto at = interpolate_coords<M>(e, v, 1);
         CHECK(at.s / at.q == static_cast<typename M::Real>(k));
         CHECK(at.t / at.q == 1 - static_cast<typename M::Real>(k));

@@ -1,9 +1,9 @@
-#include "raster/project.hpp"
 #include "raster/transform.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "raster/project.hpp"
 #include "tests/raster/builders.hpp"
 #include "texunit/presets.hpp"
 

@@ -71,7 +71,7 @@ TEST_CASE("the nearest triangle is seen, and of equal ones the first", "[visible
     const VisibleSurface surface = visible_surface(frame);
     CHECK(point_at(surface, 1, 1)->pass == 1);
     CHECK(point_at(surface, 6, 6)->pass == 0);
-    CHECK(point_at(surface, 4, 0)->triangle == 1);
+    CHECK(point_at(surface, 4, 0)->vertex == std::array<std::uint32_t, 3>{0, 2, 3});
 }
 
 TEST_CASE("culling is kept and tests are not", "[visible]") {
