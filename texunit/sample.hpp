@@ -1,140 +1,126 @@
 #pragma once
-#include <cmath>
-#include <cstdint>
-#include <vector>
+#include <span>
 
+#include "texunit/cube_map.hpp"
+#include "texunit/mipmap.hpp"
 #include "texunit/numeric_model.hpp"
-#include "texunit/texture.hpp"
+#include "texunit/texel_address.hpp"
 #include "texunit/unit_state.hpp"
+#include "texunit/uploaded_texture.hpp"
 
-/// A texture as a preset stores it, and how a texel is found. Addressing is the same for all
-/// presets, in the preset's coordinate format; values come from the preset.
+/// The texture lookup of one fragment. Which texels are read is the same for all presets, in the
+/// preset's coordinate format; how they are weighed comes from the preset.
 namespace twofold {
 
-/// A texture image converted once into the preset's channels (OpenGL 1.3, 3.8.1). Rows bottom up.
-template <NumericModel M>
-struct UploadedTexture {
-    int width = 1;
-    int height = 1;
-    std::vector<Color<typename M::Channel>> texels;
+/// The coordinates at a fragment, and one pixel further in x and in y. The neighbours are read only
+/// if needs_derivatives(unit, texture).
+template <class Real>
+struct SamplePoint {
+    ProjectiveCoordinates<Real> here, right, below;
 };
 
+/// Whether the lookup has no defined place: division by q = 0, a coordinate that is no number, or a
+/// cube map's direction without length. Such coordinates read as 0; callers count them (T02, T05).
+template <class Real>
+bool undefined_coordinates(const TextureUnitState& unit, const ProjectiveCoordinates<Real>& at) {
+    const bool cube = unit.target == TextureTarget::cube_map;
+    const ProjectiveCoordinates<Real> flat = cube ? on_face(cube_face(at), at) : at;
+    const Real q = cube || unit.divide_by_q ? flat.q : Real{1};
+    const Real s = flat.s / q, t = flat.t / q;
+    return q == Real{0} || !(s == s) || !(t == t);
+}
+
 template <NumericModel M>
-UploadedTexture<M> upload(const Texture& texture) {
-    UploadedTexture<M> result{texture.width, texture.height, {}};
-    std::visit(
-        [&](const auto& texels) {
-            result.texels.reserve(texels.size());
-            for (const auto& t : texels) result.texels.push_back(M::texel(t));
-        },
-        texture.texels);
+Color<typename M::Channel> fetch(const UploadedImage<M>& image, int i, int j,
+                                 const Color<typename M::Channel>& border) {
+    if (i < 0 || j < 0) return border;
+    return image.texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
+                        static_cast<std::size_t>(i)];
+}
+
+template <NumericModel M>
+Color<typename M::Channel> sample_nearest(const UploadedImage<M>& image, const Addressing& how,
+                                          const TexelPoint<typename M::Real>& at,
+                                          const Color<typename M::Channel>& border) {
+    return fetch(image, nearest_texel(at.u, image.width, how.wrap_s),
+                 nearest_texel(at.v, image.height, how.wrap_t), border);
+}
+
+template <NumericModel M>
+Color<typename M::Channel> sample_linear(const M& m, const UploadedImage<M>& image,
+                                         const Addressing& how,
+                                         const TexelPoint<typename M::Real>& at,
+                                         const Color<typename M::Channel>& border) {
+    const auto x = linear_footprint(at.u, image.width, how.wrap_s);
+    const auto y = linear_footprint(at.v, image.height, how.wrap_t);
+    const auto t00 = fetch(image, x.i0, y.i0, border), t10 = fetch(image, x.i1, y.i0, border);
+    const auto t01 = fetch(image, x.i0, y.i1, border), t11 = fetch(image, x.i1, y.i1, border);
+    Color<typename M::Channel> result;
+    for (std::size_t c = 0; c < 4; ++c)
+        result[c] = m.filter(t00[c], t10[c], t01[c], t11[c], x.fraction, y.fraction);
     return result;
 }
 
-/// Texture coordinates of one fragment before the division: s = S/Q, t = T/Q.
-template <class Real>
-struct ProjectiveCoordinates {
-    Real s, t, q;
-};
-
-/// Texels beyond this distance from the origin are all the same texel (T03, T05): coordinates stop
-/// here before they become integers.
-inline constexpr int farthest_texel = 1 << 15;
-
-/// numerator x size / q in texels, with a single division: an exact integer stays one. q = 0 and
-/// results that are not numbers give 0 (T02).
-template <class Real>
-Real texel_coordinate(Real numerator, Real q, int size) {
-    const Real u = numerator * static_cast<Real>(size) / q;
-    constexpr Real limit{farthest_texel};
-    if (q == Real{0} || !(u == u)) return Real{0};
-    return u < -limit ? -limit : (u > limit ? limit : u);
-}
-
-/// The coordinate limited as the wrap mode says, in texels. @source OpenGL 1.3, 3.8.5
-template <class Real>
-Real limit_coordinate(Real u, int size, Wrap wrap) {
-    const Real n = static_cast<Real>(size);
-    constexpr Real half{0.5};
-    const auto within = [u](Real lo, Real hi) { return u < lo ? lo : (u > hi ? hi : u); };
-    switch (wrap) {
-        case Wrap::repeat:
-            return u - n * std::floor(u / n);
-        case Wrap::clamp:
-            return within(Real{0}, n);
-        case Wrap::clamp_to_edge:
-            return within(half, n - half);
-        case Wrap::clamp_to_border:
-            break;
-    }
-    return within(-half, n + half);
-}
-
-/// The texel index for an integer coordinate of -1..size; -1 stands for the border.
-constexpr int wrap_index(int i, int size, Wrap wrap) {
-    if (i >= 0 && i < size) return i;
-    if (wrap == Wrap::repeat) return i < 0 ? i + size : i - size;
-    if (wrap == Wrap::clamp_to_edge) return i < 0 ? 0 : size - 1;
-    return -1;
-}
-
-/// The two texels that LINEAR blends along one axis, and the fraction of the second.
-template <class Real>
-struct LinearFootprint {
-    int i0, i1;
-    Real fraction;
-};
-
-/// @source OpenGL 1.3, 3.8.7: i0 = floor(u - 1/2)
-template <class Real>
-LinearFootprint<Real> linear_footprint(Real u, int size, Wrap wrap) {
-    const Real shifted = limit_coordinate(u, size, wrap) - Real{0.5};
-    const Real base = std::floor(shifted);
-    const int i = static_cast<int>(base);
-    return {wrap_index(i, size, wrap), wrap_index(i + 1, size, wrap), shifted - base};
-}
-
-/// @source OpenGL 1.3, 3.8.7: floor(u), and the last texel at u = size
-template <class Real>
-int nearest_texel(Real u, int size, Wrap wrap) {
-    const int i = static_cast<int>(std::floor(limit_coordinate(u, size, wrap)));
-    if (i == size && wrap != Wrap::clamp_to_border) return size - 1;
-    return wrap_index(i, size, wrap);
-}
-
 template <NumericModel M>
-Color<typename M::Channel> fetch(const UploadedTexture<M>& texture, int i, int j,
-                                 const Color<typename M::Channel>& border) {
-    if (i < 0 || j < 0) return border;
-    return texture.texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(texture.width) +
-                          static_cast<std::size_t>(i)];
+Color<typename M::Channel> sample_image(const M& m, const UploadedImage<M>& image,
+                                        const Addressing& how, Filter filter,
+                                        const ProjectiveCoordinates<typename M::Real>& at,
+                                        const Color<typename M::Channel>& border) {
+    const auto point = texel_point(how, at, image.width, image.height);
+    return filter == Filter::linear ? sample_linear(m, image, how, point, border)
+                                    : sample_nearest(image, how, point, border);
 }
 
+/// The levels for the scale at which the base image is seen. Without need for derivatives both
+/// filters are the same and there is one level.
 template <NumericModel M>
-Color<typename M::Channel> sample_linear(const UploadedTexture<M>& texture,
-                                         const TextureUnitState& unit, typename M::Real u,
-                                         typename M::Real v,
+LevelSelection levels_at(std::span<const UploadedImage<M>> levels, const Addressing& how,
+                         const TextureUnitState& unit, const SamplePoint<typename M::Real>& at) {
+    if (!needs_derivatives(unit, levels.size() > 1)) return {unit.mag_filter, 0, 0, 0.0};
+    const auto point = [&](const ProjectiveCoordinates<typename M::Real>& place) {
+        return texel_point(how, place, levels[0].width, levels[0].height);
+    };
+    const double scale = squared_scale(point(at.here), point(at.right), point(at.below));
+    return select_levels(unit, level_of_detail(scale, unit.lod_bias),
+                         static_cast<int>(levels.size()) - 1);
+}
+
+/// The lookup in a stack of levels; two of them are blended after each was filtered.
+template <NumericModel M>
+Color<typename M::Channel> sample_levels(const M& m, std::span<const UploadedImage<M>> levels,
+                                         const Addressing& how, const TextureUnitState& unit,
+                                         const SamplePoint<typename M::Real>& at,
                                          const Color<typename M::Channel>& border) {
-    const auto x = linear_footprint(u, texture.width, unit.wrap_s);
-    const auto y = linear_footprint(v, texture.height, unit.wrap_t);
-    const auto t00 = fetch(texture, x.i0, y.i0, border), t10 = fetch(texture, x.i1, y.i0, border);
-    const auto t01 = fetch(texture, x.i0, y.i1, border), t11 = fetch(texture, x.i1, y.i1, border);
-    Color<typename M::Channel> result;
-    for (std::size_t c = 0; c < 4; ++c)
-        result[c] = M::filter(t00[c], t10[c], t01[c], t11[c], x.fraction, y.fraction);
+    const LevelSelection chosen = levels_at(levels, how, unit, at);
+    const auto level = [&](int k) {
+        return sample_image(m, levels[static_cast<std::size_t>(k)], how, chosen.filter, at.here,
+                            border);
+    };
+    Color<typename M::Channel> result = level(chosen.fine);
+    if (chosen.coarse == chosen.fine) return result;
+    const Color<typename M::Channel> coarse = level(chosen.coarse);
+    const auto fraction = static_cast<typename M::Real>(chosen.fraction);
+    for (std::size_t c = 0; c < 4; ++c) result[c] = m.filter_levels(result[c], coarse[c], fraction);
     return result;
 }
 
 /// The filtered texel of one fragment.
+/// @param border  the unit's border colour, as kept_by() the texture's base format
 template <NumericModel M>
-Color<typename M::Channel> sample(const UploadedTexture<M>& texture, const TextureUnitState& unit,
-                                  const ProjectiveCoordinates<typename M::Real>& at,
+Color<typename M::Channel> sample(const M& m, const UploadedTexture<M>& texture,
+                                  const TextureUnitState& unit,
+                                  const SamplePoint<typename M::Real>& at,
                                   const Color<typename M::Channel>& border) {
-    const auto u = texel_coordinate(at.s, at.q, texture.width);
-    const auto v = texel_coordinate(at.t, at.q, texture.height);
-    if (unit.filter == Filter::linear) return sample_linear(texture, unit, u, v, border);
-    return fetch(texture, nearest_texel(u, texture.width, unit.wrap_s),
-                 nearest_texel(v, texture.height, unit.wrap_t), border);
+    using Levels = std::span<const UploadedImage<M>>;
+    if (unit.target == TextureTarget::cube_map) {
+        const CubeFace face = cube_face(at.here);
+        const SamplePoint<typename M::Real> on{on_face(face, at.here), on_face(face, at.right),
+                                               on_face(face, at.below)};
+        return sample_levels(m, Levels(&texture.face(face), 1), cube_addressing, unit, on, border);
+    }
+    const bool one_level = unit.target == TextureTarget::rectangle;
+    const Levels levels(texture.levels.data(), one_level ? 1 : texture.levels.size());
+    return sample_levels(m, levels, addressing_of(unit), unit, at, border);
 }
 
 }  // namespace twofold
