@@ -28,7 +28,8 @@ Word clip_reciprocal(Word w);
 Word reciprocal_sqrt(Word a);
 
 /// The same three of NV2x (version 2 of the public model): seeds rounded to nearest instead of cut,
-/// and a clip reciprocal whose exponent is held loses its fraction. To 2^-22.1 and 3.1e-7 relative.
+/// and a clip reciprocal whose exponent is held loses its fraction. To 2.28e-7 and 3.13e-7
+/// relative.
 Word reciprocal_v2(Word a);
 Word clip_reciprocal_v2(Word w);
 Word reciprocal_sqrt_v2(Word a);

@@ -92,3 +92,18 @@ TEST_CASE("a real outside 0..1 becomes the nearer end and NaN becomes 0", "[byte
     CHECK(rn8(std::numeric_limits<double>::quiet_NaN()) == 0);
     for (int k = 0; k < 256; ++k) CHECK(rn8(k / 255.0) == k);
 }
+
+TEST_CASE("a signed quotient by 255 is the nearest, and differences end at 0", "[byte]") {
+    for (int x = -3 * 65025; x <= 3 * 65025; ++x)
+        if (!is_nearest_255th(rounded_255th(x), x)) FAIL_CHECK(x);
+    CHECK(difference_rn(255, 255, 255, 1) == 254);
+    CHECK(difference_rn(0, 255, 1, 255) == 0);
+}
+
+TEST_CASE("cutting to 255 steps loses what is below a step", "[byte]") {
+    for (int k = 0; k < 255; ++k) CHECK(floor8((k + 0.9) / 255.0) == k);
+    CHECK(floor8(1.0) == 255);
+    CHECK(floor8(1e300) == 255);
+    CHECK(floor8(-1.0) == 0);
+    CHECK(floor8(std::numeric_limits<double>::quiet_NaN()) == 0);
+}

@@ -251,3 +251,30 @@ TEST_CASE("1/w leaves the vertex stage without its low 8 bits", "[nv1x]") {
     CHECK(Nv1xArithmetic::emitted_reciprocal(0x3eaaaaab) == 0x3eaaaa00);
     CHECK(Nv1xArithmetic::emitted_reciprocal(word(0.5)) == word(0.5));
 }
+
+TEST_CASE("the NV2x reciprocals err by at most 2.28e-7 and 3.13e-7", "[nv2x]") {
+    const double reciprocal = worst_error(127, reciprocal_v2, [](double x) { return 1.0 / x; });
+    CHECK(reciprocal < 2.28e-7);
+    CHECK(reciprocal > 2.27e-7);
+    const auto root = [](double x) { return 1.0 / std::sqrt(x); };
+    const double worst = std::max(worst_error(127, reciprocal_sqrt_v2, root),
+                                  worst_error(128, reciprocal_sqrt_v2, root));
+    CHECK(worst < 3.13e-7);
+    CHECK(worst > 3.11e-7);
+}
+
+TEST_CASE("a clip reciprocal of NV2x that is held loses its fraction, one of NV1x keeps it",
+          "[nv2x]") {
+    const Word small = word(0x1.8p-100), large = word(0x1.8p100);
+    CHECK(clip_reciprocal_v2(small) == word(0x1p64));
+    CHECK(clip_reciprocal_v2(large) == word(0x1p-64));
+    CHECK(clip_reciprocal(small) != clip_reciprocal_v2(small));
+    CHECK(clip_reciprocal_v2(0) == word(0x1p64));
+    CHECK(clip_reciprocal_v2(nan_word) == nan_word);
+    for (const double w : {0.5, 1.0, 3.0, -7.25, 1e10, 1e-10})
+        CHECK(clip_reciprocal_v2(word(w)) == reciprocal_v2(word(w)));
+}
+
+TEST_CASE("1/w leaves the NV2x vertex stage whole", "[nv2x]") {
+    CHECK(Nv2xArithmetic::emitted_reciprocal(0x3eaaaaab) == 0x3eaaaaab);
+}

@@ -47,11 +47,41 @@ TEST_CASE("the marks of preset nv17 are those of the hardware reference, stage b
     }
 }
 
-TEST_CASE("no preset claims a measurement: nothing public was measured on these chips",
-          "[preset]") {
-    for (const Preset preset : all_presets)
-        CHECK(std::ranges::none_of(stage_rules(preset),
-                                   [](const StageRule& r) { return r.mark == Mark::measured; }));
+TEST_CASE("preset nv2x stands on what captures settle, but for its general combiners", "[preset]") {
+    using enum Mark;
+    const std::array<Mark, 19> expected{inferred, measured, measured, spec,     spec,
+                                        measured, measured, measured, measured, measured,
+                                        measured, measured, chosen,   measured, measured,
+                                        spec,     measured, measured, chosen};
+    const auto rules = stage_rules(Preset::nv2x);
+    REQUIRE(rules.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CAPTURE(i + 1, rules[i].stage);
+        CHECK(rules[i].mark == expected[i]);
+    }
+    CHECK(exactness_sentence(Preset::nv2x) ==
+          "bit-exact to preset nv2x v1: 16 stages sourced, 1 inferred, 2 chosen");
+}
+
+TEST_CASE("only nv2x claims measurements: nothing public was measured on the others", "[preset]") {
+    for (const Preset preset : all_presets) {
+        const bool claims = std::ranges::any_of(
+            stage_rules(preset), [](const StageRule& r) { return r.mark == Mark::measured; });
+        CHECK(claims == (preset == Preset::nv2x));
+    }
+}
+
+TEST_CASE("custom is a preset with a table, but not one of the fixed ones", "[preset]") {
+    CHECK(std::ranges::find(all_presets, Preset::custom) == all_presets.end());
+    CHECK(preset_named("custom") == Preset::custom);
+    CHECK(name_of(Preset::custom) == "custom");
+    CHECK(version_of(Preset::custom) == 1);
+    REQUIRE(stage_rules(Preset::custom).size() == 19);
+    for (std::size_t i = 0; i < 19; ++i)
+        CHECK(stage_rules(Preset::custom)[i].stage == stage_rules(Preset::ideal64)[i].stage);
+    CHECK(count_marks(Preset::custom).chosen == 19);
+    CHECK(with_model(Preset::custom, []<class M>(const M&) { return M::preset; }) ==
+          Preset::custom);
 }
 
 TEST_CASE("a preset is found by its name and by nothing else", "[preset]") {
@@ -63,7 +93,7 @@ TEST_CASE("a preset is found by its name and by nothing else", "[preset]") {
 
 TEST_CASE("each preset's numeric model carries that preset's name", "[preset]") {
     for (const Preset preset : all_presets)
-        CHECK(with_model(preset, []<class M>(M) { return M::preset; }) == preset);
+        CHECK(with_model(preset, []<class M>(const M&) { return M::preset; }) == preset);
 }
 
 TEST_CASE("marks have the names that reports print", "[preset]") {
