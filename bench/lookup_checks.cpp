@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include "bench/check.hpp"
+#include "bench/tables.hpp"
+#include "scenes/camera.hpp"
+#include "scenes/mesh_shapes.hpp"
+
+/// Coordinate generation, wraps and filters.
+namespace twofold::bench {
+namespace {
+
+TexEnv replace() {
+    TexEnv env;
+    env.mode = TexEnvMode::replace;
+    return env;
+}
+
+Mat4 scale_and_offset(double scale, double offset) {
+    Mat4 m{1.0};
+    m[0][0] = m[1][1] = scale;
+    m[3] = Vec4{offset, offset, 0.0, 1.0};
+    return m;
+}
+
+/// A sphere seen from aside, its texture smooth.
+Frame texgen_frame(TexGen mode) {
+    Camera camera;
+    camera.eye = {1.5, -0.7, 2.4};
+    camera.target = {0.0, 0.0, 0.0};
+    Frame frame = empty_frame(256);
+    frame.meshes = {sphere_mesh(24)};
+    frame.textures = {smooth_texture(64, 4)};
+    PassState state;
+    state.modelview = view_matrix(camera);
+    state.projection = projection_matrix(camera, 1.0);
+    state.cull = CullFace::back;
+    TextureUnitState unit;
+    unit.texture = 0;
+    unit.env = replace();
+    unit.texgen = texgen_all(mode);
+    unit.texgen.object_plane = {Vec4{0.3, 0.2, 0.1, 0.5}, Vec4{-0.1, 0.3, 0.2, 0.5}, Vec4{0.0},
+                                Vec4{0.0}};
+    unit.texgen.eye_plane = {Vec4{0.3, 0.1, 0.1, 0.8}, Vec4{-0.1, 0.3, 0.0, 0.5}, Vec4{0.0},
+                             Vec4{0.0}};
+    if (mode == TexGen::normal_map || mode == TexGen::reflection_map)
+        unit.matrix = scale_and_offset(0.5, 0.5);
+    state.units[0] = unit;
+    frame.passes = {{state, 0}};
+    return frame;
+}
+
+/// Snapping moves a vertex by up to 1/32 pixel, so that the silhouettes differ by single pixels (a
+/// pixel centre lies in a strip of 1/32 pixel along a rim of some 600 pixels) and the coordinates
+/// where the surface is steep, by half a texel at most: 2 steps.
+std::vector<Check> texgen_checks() {
+    constexpr std::array names{"none",       "object_linear", "eye_linear",
+                               "sphere_map", "normal_map",    "reflection_map"};
+    std::vector<Check> checks;
+    for (std::size_t m = 1; m < names.size(); ++m)
+        checks.push_back({fmt::format("texgen {}", names[m]), {2, 10}, 1, [=] {
+                              return std::vector<Frame>{texgen_frame(static_cast<TexGen>(m))};
+                          }});
+    return checks;
+}
+
+/// Coordinates from -1 to 2 over 48 texels and 80 pixels: no pixel centre lies on a texel's edge,
+/// where a last bit would choose the texel.
+Frame wrap_frame(Wrap s, Wrap t, Filter filter, BaseFormat format) {
+    Frame frame = empty_frame(80);
+    frame.meshes = {squares(1, 4, true)};
+    frame.textures = {random_texture(5, 16, format)};
+    TextureUnitState unit = nearest_unit(0, replace());
+    unit.min_filter = unit.mag_filter = filter;
+    unit.wrap_s = s;
+    unit.wrap_t = t;
+    unit.matrix = scale_and_offset(3.0, -1.0);
+    unit.border_color = color_of({255, 60, 120, 180});
+    PassState state;
+    state.units[0] = unit;
+    frame.passes = {{state, 0}};
+    return frame;
+}
+
+std::vector<Frame> wrap_frames(Wrap wrap, Filter filter) {
+    std::vector<Frame> frames;
+    for (int other = 0; other < 5; ++other)
+        frames.push_back(wrap_frame(wrap, static_cast<Wrap>(other), filter, BaseFormat::rgba));
+    frames.push_back(wrap_frame(wrap, wrap, filter, BaseFormat::luminance));
+    return frames;
+}
+
+/// Nearest texels are whole bytes and arrive as they are. Bilinear ones are rounded once by both;
+/// weights of 8 bits, applied along s and along t, cost up to 2 steps more where texels are black
+/// and white side by side.
+std::vector<Check> wrap_checks() {
+    constexpr std::array names{"repeat", "clamp", "clamp_to_edge", "clamp_to_border",
+                               "mirrored_repeat"};
+    std::vector<Check> checks;
+    for (std::size_t w = 0; w < names.size(); ++w)
+        for (const Filter filter : {Filter::nearest, Filter::linear}) {
+            const bool linear = filter == Filter::linear;
+            checks.push_back({fmt::format("wrap {}, {}", names[w], linear ? "linear" : "nearest"),
+                              {linear ? 1 : 0, 0},
+                              linear ? 2 : 0,
+                              [=] { return wrap_frames(static_cast<Wrap>(w), filter); }});
+        }
+    return checks;
+}
+
+/// A smooth texture whose levels are told apart by their brightness.
+Texture mipmapped_texture() {
+    Texture texture = smooth_texture(64, 2);
+    for (int size = 32, level = 1; size >= 1; size /= 2, ++level) {
+        auto texels = std::get<std::vector<Rgba8>>(smooth_texture(size, 2 << level).texels);
+        for (Rgba8& t : texels) t.b = static_cast<std::uint8_t>(40 * level);
+        texture.mipmaps.push_back({size, size, std::move(texels)});
+    }
+    return texture;
+}
+
+/// A level of detail of exactly `octaves` + `bias` everywhere: every way of estimating it that
+/// OpenGL allows agrees where the coordinates run along the picture's axes. The offset keeps the
+/// pixel centres off the texels' edges.
+Frame mipmap_frame(Filter filter, MipFilter mip, int octaves, double bias) {
+    Frame frame = empty_frame(table_size);
+    frame.meshes = {squares(1, 4, true)};
+    frame.textures = {mipmapped_texture()};
+    TextureUnitState unit = nearest_unit(0, replace());
+    unit.min_filter = unit.mag_filter = filter;
+    unit.mip_filter = mip;
+    unit.wrap_s = unit.wrap_t = Wrap::repeat;
+    unit.lod_bias = bias;
+    unit.matrix = scale_and_offset(1 << octaves, 0.3 / 64.0);
+    PassState state;
+    state.units[0] = unit;
+    frame.passes = {{state, 0}};
+    return frame;
+}
+
+std::vector<Frame> mipmap_frames(Filter filter, MipFilter mip) {
+    std::vector<Frame> frames;
+    for (int octaves = 0; octaves < 5; ++octaves)
+        for (const double bias : {-0.7, -0.25, 0.0, 0.2, 0.375, 0.6, 0.9})
+            frames.push_back(mipmap_frame(filter, mip, octaves, bias));
+    return frames;
+}
+
+/// Between two levels 40 steps apart in blue an 8-bit fraction is worth 40/256 step. Nearest texels
+/// are whole bytes as long as levels are not blended.
+std::vector<Check> mipmap_checks() {
+    constexpr std::array filters{"nearest", "linear"};
+    constexpr std::array mips{"off", "nearest", "linear"};
+    std::vector<Check> checks;
+    for (std::size_t f = 0; f < filters.size(); ++f)
+        for (std::size_t m = 0; m < mips.size(); ++m)
+            checks.push_back(
+                {fmt::format("filter {}, mipmaps {}", filters[f], mips[m]),
+                 {f + m / 2 == 0 ? 0 : 1, 0},
+                 f + m / 2 == 0 ? 0 : 1,
+                 [=] { return mipmap_frames(static_cast<Filter>(f), static_cast<MipFilter>(m)); }});
+    return checks;
+}
+
+}  // namespace
+
+std::vector<Check> lookup_checks() {
+    std::vector<Check> checks = texgen_checks();
+    for (auto* more : {&wrap_checks, &mipmap_checks})
+        for (Check& check : more()) checks.push_back(std::move(check));
+    return checks;
+}
+
+}  // namespace twofold::bench
