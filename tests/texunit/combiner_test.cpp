@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <utility>
 
 #include "texunit/presets.hpp"
 
@@ -174,6 +175,16 @@ TEST_CASE("the two portions run apart and read what the stage before left", "[co
     CHECK(shown<Nv17>(state, in) == std::array{30, 30, 30, 30});
     state.stages.pop_back();  // spare0's alpha starts as texture 0's
     CHECK(shown<Nv17>(state, in) == std::array{99, 99, 99, 30});
+}
+
+TEST_CASE("an alpha portion reads alpha or blue, and calls blue what RGB calls rgb", "[combiner]") {
+    const auto in = inputs<Nv17>({10, 20, 30, 40});
+    for (const auto& [component, expected] :
+         {std::pair{Part::rgb, 30}, std::pair{Part::blue, 30}, std::pair{Part::alpha, 40}}) {
+        RegisterCombiners state;
+        state.final_stage.g = {R::primary_color, component, Map::unsigned_identity};
+        CHECK(shown<Nv17>(state, in)[3] == expected);
+    }
 }
 
 TEST_CASE("mux takes AB below one half of spare0's alpha and CD from there", "[combiner]") {
