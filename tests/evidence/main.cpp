@@ -41,7 +41,7 @@ void define(CLI::App& app, Options& options) {
     app.add_option("-j,--threads", options.threads, "Threads; 0 = all")->check(CLI::Range(0, 1024));
     app.footer(
         "Example: evidence captures --only Texgen --diff out\n"
-        "Exit codes: 0 all pass, 1 only tests that nobody reproduced deviate, 2 wrong pixels,\n"
+        "Exit codes: 0 every test that its description calls reproduced is, 2 wrong pixels,\n"
         "4 a description or capture that cannot be read or drawn");
 }
 

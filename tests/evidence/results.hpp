@@ -44,8 +44,8 @@ std::string text_of(const std::vector<TestResult>& results);
 /// The same as JSON, and for each test the figures that its description expects.
 nlohmann::ordered_json json_of(const std::vector<TestResult>& results, std::string_view preset);
 
-/// ok if all tests pass; warning if only tests that were never reproduced deviate, each in at most
-/// 1 % of its pixels; bad_file if one could not be read or drawn; failure otherwise.
+/// bad_file if a test could not be read or drawn; ok if all others pass or, where the independent
+/// renderer failed too, have no more wrong pixels than it had and at most 1 %; failure otherwise.
 ExitCode verdict(const std::vector<TestResult>& results);
 
 }  // namespace twofold::evidence
