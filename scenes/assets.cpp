@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "scenes/box_mipmaps.hpp"
 #include "scenes/mesh_shapes.hpp"
 #include "texunit/error.hpp"
 #include "texunit/image_file.hpp"
@@ -26,14 +27,37 @@ struct MeshLoader {
     Mesh operator()(const InlineMesh& mesh) const { return mesh.mesh; }
 };
 
-struct TextureLoader {
+struct ImageLoader {
     const std::string& directory;
 
     Texture operator()(const TextureFile& file) const {
         return texture_of(read_png(std::filesystem::path(directory) / file.path));
     }
     Texture operator()(const Checkerboard& spec) const { return checkerboard(spec); }
+    Texture operator()(const InlineTexels& spec) const {
+        return {spec.width, spec.height, spec.texels};
+    }
 };
+
+/// The further faces of a cube map, whose sizes must be those of the first.
+void add_face(Texture& texture, Texture face, const std::string& name) {
+    if (face.width != face.height || face.width != texture.width || face.height != texture.height)
+        throw Error(ExitCode::failure,
+                    "texture '" + name + "': the faces of a cube are squares of one size");
+    texture.cube_faces.push_back({face.width, face.height, std::move(face.texels)});
+}
+
+Texture load_texture(const std::string& directory, const std::string& name,
+                     const TextureSpec& spec) {
+    const ImageLoader loader{directory};
+    Texture texture = std::visit(loader, spec.images.front());
+    texture.base_format = spec.base_format;
+    for (std::size_t i = 1; i < spec.images.size(); ++i)
+        add_face(texture, std::visit(loader, spec.images[i]), name);
+    if (spec.mipmaps == Mipmaps::box)
+        texture.mipmaps = box_mipmaps(texture.width, texture.height, texture.texels);
+    return texture;
+}
 
 Rgba32f rgba32f_of(const Vec4& c) {
     return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z),
@@ -70,7 +94,7 @@ SceneAssets load_assets(const Scene& scene) {
         assets.mesh_reports.emplace(name, inspect(it.first->second));
     }
     for (const auto& [name, spec] : scene.textures)
-        assets.textures.emplace(name, std::visit(TextureLoader{scene.directory}, spec));
+        assets.textures.emplace(name, load_texture(scene.directory, name, spec));
     return assets;
 }
 

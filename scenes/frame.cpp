@@ -26,6 +26,9 @@ FrameBuilder start(const Scene& scene, const SceneAssets& assets) {
     b.frame.width = image.width;
     b.frame.height = image.height;
     b.frame.clear_color = Vec4{image.background, 0.0};
+    b.frame.clear_depth = image.clear_depth;
+    b.frame.color_format = image.color_format;
+    b.frame.depth_bits = image.depth_bits;
     for (const auto& [name, mesh] : assets.meshes) {
         b.meshes.emplace(name, b.frame.meshes.size());
         b.frame.meshes.push_back(mesh);
@@ -102,7 +105,7 @@ void add_explicit_pass(FrameBuilder& b, const ScenePass& pass) {
         state.modelview = b.view;
         state.projection = b.projection;
     }
-    for (std::size_t u = 0; u < 2; ++u)
+    for (std::size_t u = 0; u < state.units.size(); ++u)
         if (state.units[u] && !pass.textures[u].empty())
             state.units[u]->texture = b.textures.at(pass.textures[u]);
     b.frame.passes.push_back({state, b.meshes.at(pass.mesh)});

@@ -1,100 +1,40 @@
-#include <fmt/format.h>
-
 #include "scenes/scene_names.hpp"
 #include "scenes/scene_parts.hpp"
 
-/// Geometry, textures and explicit passes.
+/// Explicit passes.
 namespace twofold::scene_io {
 namespace {
 
-/// A list of vectors, one for each vertex.
-std::vector<Vec3> read_vectors(const JsonValue& value, std::size_t least, std::size_t most) {
-    std::vector<Vec3> vectors;
-    for (const JsonValue& element : value.elements(least, most))
-        vectors.push_back(element.vec3(any_number));
-    return vectors;
+constexpr int largest_picture = 16384;  ///< pixels along an edge
+
+Viewport read_viewport(const JsonValue& value) {
+    const JsonObject fields(value, {"scale", "offset"});
+    return {.scale = fields.at("scale").vec3(coordinates),
+            .offset = fields.at("offset").vec3(coordinates)};
 }
 
-/// Like OpenGL's TexCoord2 and Color3: what a shorter vector leaves out is taken from (0, 0, 0, 1).
-std::vector<Vec4> read_padded(const JsonValue& value, std::size_t vertices, std::size_t shortest,
-                              Range range) {
-    std::vector<Vec4> vectors;
-    for (const JsonValue& element : value.elements(vertices, vertices)) {
-        const std::vector<double> v = element.numbers(shortest, 4, range);
-        vectors.push_back({v[0], v[1], v.size() > 2 ? v[2] : 0.0, v.size() > 3 ? v[3] : 1.0});
-    }
-    return vectors;
-}
-
-std::vector<std::uint32_t> read_indices(const JsonValue& value, std::size_t vertices) {
-    const auto elements = value.elements(0, max_indices);
-    if (elements.size() % 3 != 0)
-        value.fail(fmt::format("has {} elements, not a multiple of 3", elements.size()));
-    std::vector<std::uint32_t> indices;
-    for (const JsonValue& element : elements)
-        indices.push_back(
-            static_cast<std::uint32_t>(element.integer(0, static_cast<int>(vertices) - 1)));
-    return indices;
-}
-
-Mesh read_vertices(const JsonValue& value) {
-    const JsonObject fields(value, {"positions", "normals", "texcoords", "colors", "indices"});
-    Mesh mesh;
-    mesh.positions = read_vectors(fields.at("positions"), 1, max_indices);
-    const std::size_t count = mesh.positions.size();
-    // An empty list means the same as none, so that a mesh is written with all its fields.
-    const auto present = [&](std::string_view name) {
-        auto field = fields.find(name);
-        return field && field->is_list() && field->elements(0, max_indices).empty() ? std::nullopt
-                                                                                    : field;
+Scissor read_scissor(const JsonValue& value) {
+    const JsonObject fields(value, {"x", "y", "width", "height"});
+    const auto place = [&](std::string_view name) {
+        return fields.integer(name, -largest_picture, largest_picture, 0);
     };
-    if (const auto normals = present("normals"))
-        mesh.normals = read_vectors(*normals, count, count);
-    if (const auto texcoords = present("texcoords"))
-        mesh.texcoords = read_padded(*texcoords, count, 2, any_number);
-    if (const auto colors = present("colors"))
-        mesh.colors = read_padded(*colors, count, 3, unit_interval);
-    mesh.indices = read_indices(fields.at("indices"), count);
-    return mesh;
+    return {.x = place("x"),
+            .y = place("y"),
+            .width = fields.at("width").integer(0, largest_picture),
+            .height = fields.at("height").integer(0, largest_picture)};
 }
 
-Checkerboard read_checkerboard(const JsonValue& value) {
-    const JsonObject fields(value, {"width", "height", "cell", "first", "second"});
-    const Checkerboard absent;
-    return {.width = fields.integer("width", 1, 4096, absent.width),
-            .height = fields.integer("height", 1, 4096, absent.height),
-            .cell = fields.integer("cell", 1, 4096, absent.cell),
-            .first = fields.vec4("first", unit_interval, absent.first),
-            .second = fields.vec4("second", unit_interval, absent.second)};
-}
-
-int read_rgb_scale(const JsonValue& value) {
-    const int scale = value.integer(1, 4);
-    if (scale == 3) value.fail("3 is not one of 1, 2, 4");
-    return scale;
-}
-
-TextureUnitState read_unit(const JsonObject& fields) {
-    TextureUnitState unit;
-    unit.texgen = fields.enumerator("texgen", texgen_names, unit.texgen);
-    unit.wrap_s = fields.enumerator("wrap_s", wrap_names, unit.wrap_s);
-    unit.wrap_t = fields.enumerator("wrap_t", wrap_names, unit.wrap_t);
-    unit.filter = fields.enumerator("filter", filter_names, unit.filter);
-    unit.border_color = fields.vec4("border_color", unit_interval, unit.border_color);
-    if (const auto matrix = fields.find("matrix")) unit.matrix = matrix->mat4();
-    if (const auto scale = fields.find("rgb_scale")) unit.rgb_scale = read_rgb_scale(*scale);
-    return unit;
-}
-
-void read_units(const JsonValue& value, ScenePass& pass) {
-    const auto elements = value.elements(0, pass.state.units.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        if (elements[i].is_null()) continue;
-        const JsonObject fields(elements[i], {"texture", "texgen", "matrix", "wrap_s", "wrap_t",
-                                              "filter", "border_color", "rgb_scale"});
-        pass.state.units[i] = read_unit(fields);
-        if (const auto texture = fields.enabled("texture")) pass.textures[i] = texture->text();
-    }
+Fog read_fog(const JsonValue& value) {
+    const JsonObject fields(value, {"mode", "density", "start", "end", "color"});
+    const Fog absent;
+    const Fog fog{.mode = fields.enumerator("mode", fog_mode_names, absent.mode),
+                  .density = fields.number("density", {.low = 0.0, .high = 1e9}, absent.density),
+                  .start = fields.number("start", coordinates, absent.start),
+                  .end = fields.number("end", coordinates, absent.end),
+                  .color = fields.rgb("color", unit_interval, absent.color)};
+    if (fog.mode == FogMode::linear && fog.start == fog.end)
+        value.fail("'start' and 'end' are equal, and linear fog divides by their difference");
+    return fog;
 }
 
 AlphaTest read_alpha_test(const JsonValue& value) {
@@ -112,10 +52,12 @@ DepthTest read_depth_test(const JsonValue& value) {
 }
 
 Blend read_blend(const JsonValue& value) {
-    const JsonObject fields(value, {"source", "destination"});
+    const JsonObject fields(value, {"source", "destination", "equation", "color"});
     const Blend absent;
     return {.source = fields.enumerator("source", blend_names, absent.source),
-            .destination = fields.enumerator("destination", blend_names, absent.destination)};
+            .destination = fields.enumerator("destination", blend_names, absent.destination),
+            .equation = fields.enumerator("equation", equation_names, absent.equation),
+            .color = fields.vec4("color", unit_interval, absent.color)};
 }
 
 std::array<bool, 4> read_color_mask(const JsonValue& value) {
@@ -124,52 +66,65 @@ std::array<bool, 4> read_color_mask(const JsonValue& value) {
             channels[3].boolean()};
 }
 
-PassState read_state(const JsonObject& fields) {
-    PassState state;
+/// From the vertices to the window.
+void read_geometry_state(const JsonObject& fields, PassState& state) {
+    if (const auto matrix = fields.enabled("modelview")) state.modelview = matrix->mat4();
+    if (const auto matrix = fields.enabled("projection")) state.projection = matrix->mat4();
+    if (const auto viewport = fields.enabled("viewport")) state.viewport = read_viewport(*viewport);
+    state.window_space = fields.boolean("window_space", state.window_space);
     state.color = fields.vec4("color", unit_interval, state.color);
     state.normalize = fields.boolean("normalize", state.normalize);
     state.cull = fields.enumerator("cull", cull_names, state.cull);
-    if (const auto matrix = fields.enabled("modelview")) state.modelview = matrix->mat4();
-    if (const auto matrix = fields.enabled("projection")) state.projection = matrix->mat4();
+    state.shade_model = fields.enumerator("shade_model", shade_model_names, state.shade_model);
+    state.provoking_vertex =
+        fields.enumerator("provoking_vertex", provoking_names, state.provoking_vertex);
+    state.perspective_correction =
+        fields.boolean("perspective_correction", state.perspective_correction);
+}
+
+/// From the textures to the framebuffer.
+void read_fragment_state(const JsonObject& fields, PassState& state) {
+    if (const auto stages = fields.enabled("combiners")) state.combiners = read_combiners(*stages);
+    state.color_sum = fields.boolean("color_sum", state.color_sum);
+    if (const auto fog = fields.enabled("fog")) state.fog = read_fog(*fog);
+    if (const auto scissor = fields.enabled("scissor")) state.scissor = read_scissor(*scissor);
     if (const auto test = fields.enabled("alpha_test")) state.alpha_test = read_alpha_test(*test);
     if (const auto test = fields.enabled("depth_test")) state.depth_test = read_depth_test(*test);
     if (const auto blend = fields.enabled("blend")) state.blend = read_blend(*blend);
     if (const auto mask = fields.find("color_mask")) state.color_mask = read_color_mask(*mask);
-    return state;
+    state.dither = fields.boolean("dither", state.dither);
 }
 
 }  // namespace
 
-MeshSpec read_mesh(const JsonValue& value) {
-    const JsonObject fields(value, {"file", "sphere", "quad", "vertices"});
-    const std::string_view kind = fields.one_of({"file", "sphere", "quad", "vertices"});
-    const JsonValue field = fields.at(kind);
-    if (kind == "file") return MeshFile{.path = field.text()};
-    if (kind == "vertices") return InlineMesh{.mesh = read_vertices(field)};
-    if (kind == "quad") {
-        const JsonObject empty(field, {});
-        return QuadMesh{};
-    }
-    const JsonObject sphere(field, {"subdivisions"});
-    const SphereMesh absent;
-    return SphereMesh{.subdivisions = sphere.integer("subdivisions", 1, 256, absent.subdivisions)};
-}
-
-TextureSpec read_texture(const JsonValue& value) {
-    const JsonObject fields(value, {"file", "checkerboard"});
-    const std::string_view kind = fields.one_of({"file", "checkerboard"});
-    if (kind == "file") return TextureFile{.path = fields.at(kind).text()};
-    return read_checkerboard(fields.at(kind));
-}
-
 ScenePass read_pass(const JsonValue& value) {
-    const JsonObject fields(value, {"mesh", "modelview", "projection", "color", "normalize", "cull",
-                                    "units", "alpha_test", "depth_test", "blend", "color_mask"});
+    const JsonObject fields(value, {"mesh",
+                                    "modelview",
+                                    "projection",
+                                    "viewport",
+                                    "window_space",
+                                    "color",
+                                    "normalize",
+                                    "cull",
+                                    "shade_model",
+                                    "provoking_vertex",
+                                    "perspective_correction",
+                                    "units",
+                                    "combiners",
+                                    "color_sum",
+                                    "fog",
+                                    "scissor",
+                                    "alpha_test",
+                                    "depth_test",
+                                    "blend",
+                                    "color_mask",
+                                    "dither"});
     ScenePass pass;
     pass.mesh = fields.at("mesh").text();
     pass.own_matrices = fields.enabled("modelview") || fields.enabled("projection");
-    pass.state = read_state(fields);
+    read_geometry_state(fields, pass.state);
     if (const auto units = fields.find("units")) read_units(*units, pass);
+    read_fragment_state(fields, pass.state);
     return pass;
 }
 

@@ -10,6 +10,7 @@
 #include "factor/environment.hpp"
 #include "factor/settings.hpp"
 #include "raster/pass.hpp"
+#include "texunit/custom.hpp"
 #include "texunit/preset.hpp"
 
 /// A scene file as a value. `scene_file` reads and writes it; `build` makes a Frame of it.
@@ -20,6 +21,9 @@ struct ImageSpec {
     int width = 1024;   ///< pixels
     int height = 768;   ///< pixels
     Rgb background{0.0};  ///< displayed value 0..1, alpha 0
+    ColorFormat color_format = ColorFormat::rgba8888;
+    int depth_bits = 24;  ///< 16 or 24
+    double clear_depth = 1.0;
 };
 
 struct Camera {
@@ -82,7 +86,7 @@ struct FactoredObject {
     double rotate_y_degrees = 0.0;  ///< applied before the translation
 };
 
-/// Textures of explicit passes: a PNG file or a checkerboard.
+/// Images of explicit passes' textures: a PNG file, a checkerboard, or texels as they are stored.
 struct TextureFile {
     std::string path;  ///< relative to the scene file
 };
@@ -93,16 +97,35 @@ struct Checkerboard {
     Vec4 first{1.0};  ///< texel (0, 0)
     Vec4 second{0.0, 0.0, 0.0, 1.0};
 };
-using TextureSpec = std::variant<TextureFile, Checkerboard>;
+/// Written out in the scene file, so that a scene can say every bit of a texture.
+struct InlineTexels {
+    int width = 0;
+    int height = 0;
+    PackedTexels texels;
+};
+using TextureImageSpec = std::variant<TextureFile, Checkerboard, InlineTexels>;
+
+/// Where the levels below the base image come from; `box` averages 2 x 2 texels, down to one texel.
+enum class Mipmaps { none, box };
+
+struct TextureSpec {
+    std::vector<TextureImageSpec> images;  ///< one, or the faces +x, -x, +y, -y, +z, -z of a cube
+    BaseFormat base_format = BaseFormat::rgba;
+    Mipmaps mipmaps = Mipmaps::none;
+};
 
 /// An explicit pass. `state.units[i].texture` is not used: `textures[i]` names the texture instead.
 /// Without `own_matrices` the modelview and projection are the camera's.
 struct ScenePass {
     std::string mesh;
-    std::array<std::string, 2> textures;  ///< a name in Scene::textures; empty = none
+    std::array<std::string, max_units> textures;  ///< a name in Scene::textures; empty = none
     bool own_matrices = false;
     PassState state;
 };
+
+/// The presets of a scene that names none: the truth, floats, and the paper's card between them.
+inline constexpr std::array usual_presets{Preset::ideal64, Preset::float32, Preset::gl13,
+                                          Preset::nv17};
 
 struct Scene {
     std::string title;
@@ -118,6 +141,7 @@ struct Scene {
     std::vector<FactoredObject> objects;  ///< drawn first, in order
     std::vector<ScenePass> passes;        ///< drawn after the objects, in order
     std::vector<Preset> presets;          ///< at least one
+    CustomSettings custom;                ///< of the preset `custom`
 };
 
 }  // namespace twofold

@@ -46,6 +46,16 @@ void check_path(const Checked& checked, const std::string& where, const std::str
         checked.fail(where, shown + " is absolute; only a scene with 'directory' may name such");
 }
 
+void check_texture_paths(const Checked& checked, const std::string& where,
+                         const TextureSpec& texture) {
+    const bool cube = texture.images.size() > 1;
+    for (std::size_t i = 0; i < texture.images.size(); ++i)
+        if (const auto* file = std::get_if<TextureFile>(&texture.images[i]))
+            check_path(checked,
+                       cube ? fmt::format("{}.cube.faces.{}.file", where, i) : where + ".file",
+                       file->path);
+}
+
 void check_paths(const Checked& checked) {
     if (checked.scene.directory.find('\0') != std::string::npos)
         checked.fail("directory", "has a NUL character");
@@ -56,8 +66,7 @@ void check_paths(const Checked& checked) {
         if (const auto* file = std::get_if<MeshFile>(&mesh))
             check_path(checked, fmt::format("meshes.{}.file", name), file->path);
     for (const auto& [name, texture] : checked.scene.textures)
-        if (const auto* file = std::get_if<TextureFile>(&texture))
-            check_path(checked, fmt::format("textures.{}.file", name), file->path);
+        check_texture_paths(checked, "textures." + name, texture);
 }
 
 /// What is lit or textured by direction needs normals; files and generated meshes always have them.
@@ -83,15 +92,59 @@ bool is_singular(const Mat4& matrix) {
 
 bool uses_normals(const PassState& state) {
     return std::any_of(state.units.begin(), state.units.end(),
-                       [](const auto& unit) { return unit && unit->texgen != TexGen::none; });
+                       [](const auto& unit) { return unit && uses_normal(unit->texgen); });
+}
+
+/// A unit's target and its texture must be of one kind, and rectangles have neither levels nor a
+/// way to repeat.
+void check_target(const Checked& checked, const std::string& path, const TextureUnitState& unit,
+                  const std::string& name) {
+    const auto found = checked.scene.textures.find(name);
+    if (found == checked.scene.textures.end()) return;
+    const bool cube = found->second.images.size() > 1;
+    if (cube != (unit.target == TextureTarget::cube_map))
+        checked.fail(path + ".target",
+                     fmt::format("the texture '{}' is {} cube map", name, cube ? "a" : "no"));
+}
+
+/// @source NV_texture_rectangle
+void check_rectangle(const Checked& checked, const std::string& path,
+                     const TextureUnitState& unit) {
+    if (unit.target != TextureTarget::rectangle) return;
+    const auto repeats = [](Wrap wrap) {
+        return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
+    };
+    if (repeats(unit.wrap_s) || repeats(unit.wrap_t))
+        checked.fail(path + ".target", "a rectangle cannot repeat");
+    if (unit.mip_filter != MipFilter::off)
+        checked.fail(path + ".target", "a rectangle has one level and needs 'mip_filter' off");
+}
+
+/// SPHERE_MAP makes s and t (and r, as the chips do), the maps of directions s, t and r.
+/// @source OpenGL 1.3, 2.10.4
+void check_texgen(const Checked& checked, const std::string& path, const TexGenState& texgen) {
+    const TexGen q = texgen.mode[3];
+    if (q == TexGen::sphere_map || q == TexGen::normal_map || q == TexGen::reflection_map)
+        checked.fail(path + ".texgen.q",
+                     "q is not made from normals: none, object_linear or "
+                     "eye_linear");
+}
+
+void check_unit(const Checked& checked, const std::string& path, const TextureUnitState& unit,
+                const std::string& texture) {
+    if (!texture.empty())
+        check_name(checked, path + ".texture", "texture", texture, checked.scene.textures);
+    check_target(checked, path, unit, texture);
+    check_rectangle(checked, path, unit);
+    check_texgen(checked, path, unit.texgen);
 }
 
 void check_pass(const Checked& checked, const std::string& path, const ScenePass& pass) {
     check_name(checked, path + ".mesh", "mesh", pass.mesh, checked.scene.meshes);
     for (std::size_t i = 0; i < pass.textures.size(); ++i)
-        if (!pass.textures[i].empty())
-            check_name(checked, fmt::format("{}.units.{}.texture", path, i), "texture",
-                       pass.textures[i], checked.scene.textures);
+        if (pass.state.units[i])
+            check_unit(checked, fmt::format("{}.units.{}", path, i), *pass.state.units[i],
+                       pass.textures[i]);
     if (!uses_normals(pass.state)) return;
     check_normals(checked, path + ".mesh", pass.mesh);
     if (is_singular(pass.state.modelview))

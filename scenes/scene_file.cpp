@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 
 #include "scenes/json_text.hpp"
+#include "scenes/scene_names.hpp"
 #include "scenes/scene_parts.hpp"
 #include "texunit/error.hpp"
 
@@ -13,14 +13,27 @@ namespace twofold {
 namespace scene_io {
 namespace {
 
+int read_depth_bits(const JsonObject& fields, int absent) {
+    const auto value = fields.find("depth_bits");
+    if (!value) return absent;
+    const int bits = value->integer(16, 24);
+    if (bits != 16 && bits != 24) value->fail(fmt::format("{} is not one of 16, 24", bits));
+    return bits;
+}
+
 ImageSpec read_image(const JsonValue& value) {
-    const JsonObject fields(value, {"width", "height", "background"});
+    const JsonObject fields(
+        value, {"width", "height", "background", "color_format", "depth_bits", "clear_depth"});
     const ImageSpec absent;
     // The largest picture, 16384 x 16384, has 2^28 pixels: what int64 edge functions and memory
     // allow.
-    return {.width = fields.integer("width", 1, 16384, absent.width),
-            .height = fields.integer("height", 1, 16384, absent.height),
-            .background = fields.rgb("background", unit_interval, absent.background)};
+    return {
+        .width = fields.integer("width", 1, 16384, absent.width),
+        .height = fields.integer("height", 1, 16384, absent.height),
+        .background = fields.rgb("background", unit_interval, absent.background),
+        .color_format = fields.enumerator("color_format", color_format_names, absent.color_format),
+        .depth_bits = read_depth_bits(fields, absent.depth_bits),
+        .clear_depth = fields.number("clear_depth", unit_interval, absent.clear_depth)};
 }
 
 /// A camera that looks somewhere, and whose projection has no division by zero.
@@ -65,20 +78,6 @@ FactoredObject read_object(const JsonValue& value) {
         .translation = fields.vec3("translation", coordinates, Vec3{0.0}),
         .scale = fields.number("scale", size, 1.0),
         .rotate_y_degrees = fields.number("rotate_y_degrees", {.low = -360.0, .high = 360.0}, 0.0)};
-}
-
-std::vector<Preset> read_presets(const JsonValue& value) {
-    std::vector<std::string_view> known;
-    for (const Preset preset : all_presets) known.push_back(name_of(preset));
-    std::vector<Preset> presets;
-    for (const JsonValue& element : value.elements(1, all_presets.size())) {
-        const auto preset = preset_named(element.text());
-        if (!preset) element.fail_name("no preset named", element.text(), known);
-        if (std::find(presets.begin(), presets.end(), *preset) != presets.end())
-            element.fail(element.shown() + " is named twice");
-        presets.push_back(*preset);
-    }
-    return presets;
 }
 
 template <class Read>
@@ -131,7 +130,8 @@ Scene read_document(const JsonObject& fields, const std::filesystem::path& direc
         .objects = read_list(fields, "objects", read_object),
         .passes = read_list(fields, "passes", read_pass),
         .presets = presets ? read_presets(*presets)
-                           : std::vector<Preset>(all_presets.begin(), all_presets.end())};
+                           : std::vector<Preset>(usual_presets.begin(), usual_presets.end()),
+        .custom = read_or_default(fields, "custom", read_custom)};
 }
 
 /// The bytes of the file, at most one more than parse_json accepts: a device without end is no
@@ -160,7 +160,7 @@ Scene parse_scene(std::string_view text, const std::string& name,
         scene_io::JsonValue(document, name, ""),
         {"$schema", "title", "directory", "image", "camera", "environment", "white",
          "factorization", "materials", "meshes", "textures", "objects", "passes", "presets",
-         "results"});
+         "custom", "results"});
     Scene scene = scene_io::read_document(fields, directory);
     scene_io::check_scene(scene, name, fields.find("directory").has_value());
     return scene;

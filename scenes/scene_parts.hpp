@@ -14,6 +14,10 @@ inline constexpr std::size_t max_named = 256;  ///< meshes, textures, materials,
 inline constexpr std::size_t max_lights = 4096;
 inline constexpr std::size_t max_indices = std::size_t{1} << 20;  ///< a file has no room for more
 
+inline constexpr std::size_t max_inline_texels = 4096;
+/// The most bytes a list of texels holds: four for each.
+inline constexpr std::size_t max_inline_bytes = 4 * max_inline_texels;
+
 EnvironmentSpec read_environment(const JsonValue& value);
 WhitePoint read_white(const JsonValue& value);
 Brdf read_material(const JsonValue& value);
@@ -21,6 +25,11 @@ FactorSettings read_factorization(const JsonValue& value);
 MeshSpec read_mesh(const JsonValue& value);
 TextureSpec read_texture(const JsonValue& value);
 ScenePass read_pass(const JsonValue& value);
+std::vector<Preset> read_presets(const JsonValue& value);
+CustomSettings read_custom(const JsonValue& value);
+/// The texture units of a pass and the names of their textures.
+void read_units(const JsonValue& value, ScenePass& pass);
+RegisterCombiners read_combiners(const JsonValue& value);
 
 /// What no single field can tell: names that must exist, matrices that must have an inverse, paths.
 /// @param may_be_absolute whether paths may be absolute

@@ -235,8 +235,8 @@ TEST_CASE("texture coordinates, colours and normals go with their corners", "[me
         obj("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvt 0.25 0.5\nvt 1 1\nvn 0 0 2\n"
             "f 1/1/1 2/2/1 3/1/1\nf 1/2 2/2 3/1\n");
     CHECK(mesh.positions.size() == 6);
-    CHECK(mesh.texcoords[0] == Vec4(0.25, 0.5, 0, 1));
-    CHECK(mesh.texcoords[3] == Vec4(1, 1, 0, 1));
+    CHECK(mesh.texcoords[0][0] == Vec4(0.25, 0.5, 0, 1));
+    CHECK(mesh.texcoords[0][3] == Vec4(1, 1, 0, 1));
     CHECK(mesh.colors[1] == Vec4(0, 1, 0, 1));
     CHECK(mesh.normals == std::vector<Vec3>(6, Vec3(0, 0, 1)));
     CHECK_THROWS_WITH(obj("v 0 0 0 2 0 0\n"), Contains("colour outside"));

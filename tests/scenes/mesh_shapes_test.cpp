@@ -43,8 +43,8 @@ TEST_CASE("the quad covers the square and faces +z", "[mesh]") {
     const Mesh mesh = quad_mesh();
     CHECK(mesh.positions[0] == Vec3(-1, -1, 0));
     CHECK(mesh.positions[2] == Vec3(1, 1, 0));
-    CHECK(mesh.texcoords[0] == Vec4(0, 0, 0, 1));
-    CHECK(mesh.texcoords[2] == Vec4(1, 1, 0, 1));
+    CHECK(mesh.texcoords[0][0] == Vec4(0, 0, 0, 1));
+    CHECK(mesh.texcoords[0][2] == Vec4(1, 1, 0, 1));
     CHECK(mesh.normals == std::vector<Vec3>(4, Vec3(0, 0, 1)));
     double area = 0.0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

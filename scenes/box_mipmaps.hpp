@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "texunit/texture.hpp"
+
+namespace twofold {
+
+/// Levels 1, 2, ... down to one texel, each the average of 2 x 2 texels of the one above (of 2
+/// where that is one texel wide or high), computed in binary64 and stored as binary32. The averages
+/// are of the level above before it was stored, so that the last level is the mean of the image.
+///
+/// @param texels  width x height, rows bottom up
+/// @throws Error if a side is not a power of two
+std::vector<TextureImage> box_mipmaps(int width, int height, const Texels& texels);
+
+}  // namespace twofold

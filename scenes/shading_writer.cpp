@@ -1,0 +1,93 @@
+#include "scenes/scene_json.hpp"
+#include "scenes/scene_names.hpp"
+
+/// What decides the shading of objects, as JSON.
+namespace twofold::scene_io {
+
+Json json_of(const DiscLight& light) {
+    return {{"direction", json_of(light.direction)},
+            {"half_angle_degrees", light.half_angle},
+            {"radiance", json_of(light.radiance)}};
+}
+
+Json json_of(const DirectionalLight& light) {
+    return {{"direction", json_of(light.direction)}, {"irradiance", json_of(light.irradiance)}};
+}
+
+namespace {
+
+Json source_of(const LatLongFile& file) {
+    return {{"latlong", file.path}, {"repair", file.repair}};
+}
+
+Json source_of(const PaintedLatLong& painted) {
+    return {{"painted",
+             {{"background", json_of(painted.environment.background)},
+              {"lights", list_of(painted.environment.discs)},
+              {"width", painted.width},
+              {"height", painted.height}}}};
+}
+
+Json source_of(const DirectionalLights& directional) {
+    return {{"directional", list_of(directional.lights)}};
+}
+
+}  // namespace
+
+Json json_of(const EnvironmentSpec& environment) {
+    Json json =
+        std::visit([](const auto& source) { return source_of(source); }, environment.source);
+    json["cells"] = environment.cells;
+    return json;
+}
+
+Json json_of(const WhitePoint& white) {
+    if (white.radiance) return *white.radiance;
+    return {{"percentile", white.percentile}};
+}
+
+Json json_of(const FactorSettings& settings) {
+    return {{"method", name_in(method_names, settings.method)},
+            {"map_size", settings.map_size},
+            {"guard", settings.guard},
+            {"samples", settings.samples},
+            {"held_out", settings.held_out},
+            {"solver", name_in(solver_names, settings.solver)},
+            {"tolerance", settings.tolerance},
+            {"iteration_limit", settings.iteration_limit},
+            {"floor", settings.floor},
+            {"cap", settings.cap},
+            {"row_weight", settings.row_weight},
+            {"smoothness", settings.smoothness},
+            {"seam", settings.seam},
+            {"column_scaling", settings.column_scaling},
+            {"fill_power", settings.fill_power}};
+}
+
+Json json_of(const BeckmannLobe& lobe) { return {{"m", lobe.m}, {"weight", lobe.weight}}; }
+
+namespace {
+
+Json material_of(const CookTorrance& brdf) {
+    return {{"cook_torrance",
+             {{"diffuse", json_of(brdf.diffuse)},
+              {"specular", json_of(brdf.specular)},
+              {"f0", json_of(brdf.f0)},
+              {"lobes", list_of(brdf.lobes)},
+              {"constant", name_in(constant_names, brdf.constant)}}}};
+}
+
+Json material_of(const ModifiedPhong& brdf) {
+    return {{"modified_phong",
+             {{"diffuse", json_of(brdf.diffuse)},
+              {"specular", json_of(brdf.specular)},
+              {"exponent", brdf.exponent}}}};
+}
+
+}  // namespace
+
+Json json_of(const Brdf& brdf) {
+    return std::visit([](const auto& model) { return material_of(model); }, brdf);
+}
+
+}  // namespace twofold::scene_io
