@@ -50,6 +50,7 @@ def main():
     validator = jsonschema.Draft7Validator(schema)
     failures = []
     scenes = sorted(path for path in folder.glob("*.json") if path.name != "scene.schema.json")
+    scenes += sorted(folder.glob("probes/*.json"))
     for path in scenes:
         scene = json.loads(without_comments(path.read_text(encoding="utf-8")))
         failures += [f"{path.name}: {error.json_path}: {error.message}"
