@@ -63,7 +63,7 @@ TEST_CASE("weights are correct in perspective, on clipped triangles too", "[visi
         }
 }
 
-TEST_CASE("the nearest triangle is seen, and of equal ones the first", "[visible]") {
+TEST_CASE("the nearest triangle is seen, and of equal ones the last", "[visible]") {
     Frame frame = pixel_frame(8, 8, rectangle(0, 0, 8, 8, 0.5));
     frame.meshes.push_back(rectangle(0, 0, 4, 8, 0.25));
     frame.passes.push_back({frame.passes[0].state, 1});
