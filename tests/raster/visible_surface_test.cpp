@@ -70,7 +70,7 @@ TEST_CASE("the nearest triangle is seen, and of equal ones the last", "[visible]
     frame.passes.push_back(frame.passes[0]);
     const VisibleSurface surface = visible_surface(frame);
     CHECK(point_at(surface, 1, 1)->pass == 1);
-    CHECK(point_at(surface, 6, 6)->pass == 0);
+    CHECK(point_at(surface, 6, 6)->pass == 2);
     CHECK(point_at(surface, 4, 0)->triangle == 1);
 }
 
