@@ -28,22 +28,12 @@ bool all_converged(const FactoredMaterials& materials) {
     return true;
 }
 
-/// Shows the warnings and the solver's failures; the worse of the two decides.
-ExitCode outcome(const FactoredMaterials& materials, Console& console) {
-    bool warned = false;
-    for (const auto& [name, lighting] : materials) {
-        for (const std::string& text : lighting.warnings) {
-            console.warn(fmt::format("{}: {}", name, text));
-            warned = true;
-        }
-        for (std::size_t c = 0; c < 3; ++c)
-            if (const SolverReport& s = lighting.fit[c].solver; s.status != SolverStatus::converged)
-                console.warn(fmt::format(
-                    "{}: {} did not converge: {} after {} iterations, residual {:.3g}", name,
-                    channel_name(c), name_of(s.status), s.iterations, s.relative_residual));
-    }
+/// Shows the warnings; a solver that did not converge outweighs them.
+ExitCode outcome(const FactoredMaterials& materials, const std::vector<std::string>& warnings,
+                 Console& console) {
+    for (const std::string& text : warnings) console.warn(text);
     if (!all_converged(materials)) return ExitCode::not_converged;
-    return warned ? ExitCode::warning : ExitCode::ok;
+    return warnings.empty() ? ExitCode::ok : ExitCode::warning;
 }
 
 void print_comparisons(const RunResult& run) {
@@ -111,7 +101,7 @@ ExitCode run_command(const RunOptions& options, const CommonOptions& common) {
         print_steps(run.steps);
         fmt::print("report: {}\n", std::filesystem::absolute(report).lexically_normal().string());
     }
-    return outcome(run.lit.materials, console);
+    return outcome(run.lit.materials, run.warnings, console);
 }
 
 ExitCode factor_command(const FactorOptions& options, const CommonOptions& common) {
@@ -128,7 +118,7 @@ ExitCode factor_command(const FactorOptions& options, const CommonOptions& commo
         print_json(factors_json(scene, lit));
     else
         print_fit(lit.materials);
-    return outcome(lit.materials, console);
+    return outcome(lit.materials, warnings_of(lit.materials), console);
 }
 
 ExitCode render_command(const RenderOptions& options, const CommonOptions& common) {
@@ -154,7 +144,7 @@ ExitCode render_command(const RenderOptions& options, const CommonOptions& commo
                     {"counters", to_json(picture.counters)}});
     else
         fmt::print("{} {} {}\n", name_of(preset), hash_of(picture), options.output);
-    return outcome(lit.materials, console);
+    return outcome(lit.materials, warnings_of(lit.materials), console);
 }
 
 }  // namespace twofold

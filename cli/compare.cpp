@@ -55,15 +55,19 @@ ExitCode compare_floats(const CompareOptions& options, const CommonOptions& comm
         fmt::print("{}\n", to_json(d).dump(2));
     else
         fmt::print(
-            "{} of {} samples in {} pixels differ{}\nmax {:.6g}, rms {:.6g}, PSNR {:.2f} dB\n",
+            "{} of {} samples in {} pixels differ{}; {} of them not finite; coverage differs at "
+            "{}\nof the finite: max {:.6g}, rms {:.6g}, PSNR {:.2f} dB\n",
             d.differing_samples, d.samples_compared, d.differing_pixels,
-            place_of(d.first_difference), d.max_abs, d.rms, d.psnr_db);
+            place_of(d.first_difference), d.without_distance, d.coverage_differs, d.max_abs, d.rms,
+            d.psnr_db);
     return d.differing_samples + d.coverage_differs == 0 ? ExitCode::ok : ExitCode::failure;
 }
 
 }  // namespace
 
 ExitCode compare_command(const CompareOptions& options, const CommonOptions& common) {
+    if (!options.diff.empty() && !options.diff.ends_with(".png"))
+        throw Error(ExitCode::failure, "--diff: '" + options.diff + "' must end in .png");
     const bool bytes = is_png(options.a) && is_png(options.b);
     return bytes ? compare_bytes(options, common) : compare_floats(options, common);
 }

@@ -130,11 +130,15 @@ int main(int argc, char** argv) try {
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : static_cast<int>(ExitCode::failure);
     }
-    return static_cast<int>(dispatch(app, options));
+    const ExitCode code = dispatch(app, options);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        return complain(ExitCode::bad_file, "standard output: cannot be written");
+    return static_cast<int>(code);
 } catch (const twofold::Error& e) {
     return complain(e.code(), e.what());
 } catch (const std::bad_alloc&) {
-    return complain(ExitCode::failure, "out of memory");
+    return complain(ExitCode::failure,
+                    "out of memory: ask for a smaller picture, map or sample count");
 } catch (const std::exception& e) {
     return complain(ExitCode::failure, e.what());
 }

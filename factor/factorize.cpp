@@ -118,7 +118,7 @@ std::vector<std::string> sample_warnings(const LightingSamples& fit,
 bool bytes_are_too_few(const ChannelFit& fit) {
     const bool much_worse =
         fit.byte_rms > 1.3 * fit.relative_rms && fit.byte_rms > fit.relative_rms + 0.02;
-    return much_worse || !(fit.relative_rms < 1.0);
+    return much_worse || !(fit.relative_rms < 0.9);
 }
 
 std::vector<std::string> channel_warnings(const FactoredLighting& result,

@@ -6,12 +6,11 @@
 #include "raster/coverage.hpp"
 #include "raster/frame_check.hpp"
 #include "raster/interpolate.hpp"
+#include "texunit/gl13.hpp"
 #include "texunit/ideal64.hpp"
 
 namespace twofold {
 namespace {
-
-using M = Ideal64;
 
 /// The nearest point found so far at each pixel.
 struct DepthBuffer {
@@ -22,7 +21,7 @@ struct DepthBuffer {
     void keep_nearest(int x, int y, double z, const SurfacePoint& p) {
         const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                               static_cast<std::size_t>(x);
-        if (!(z < depth[i])) return;
+        if (!(z <= depth[i])) return;
         depth[i] = z;
         point[i] = p;
     }
@@ -30,6 +29,7 @@ struct DepthBuffer {
 
 /// The weights of the mesh's vertices travel as the texture coordinates of unit 0, so clipped
 /// pieces and perspective need no code of their own.
+template <NumericModel M>
 std::array<double, 3> vertex_weights(const WindowTriangle<M>& triangle, const EdgeValues& edge) {
     const auto at = interpolate_coords<M>(edge, triangle, 0);
     const double sum = at.s + at.t + at.q;
@@ -38,18 +38,20 @@ std::array<double, 3> vertex_weights(const WindowTriangle<M>& triangle, const Ed
 
 /// The corners of the mesh's triangles in clip space, three a triangle: each carries its own unit
 /// weight.
+template <NumericModel M>
 std::vector<ClipVertex> weighted_corners(const PassState& state, const Mesh& mesh,
                                          const std::vector<AssembledTriangle>& triangles,
                                          const Viewport& viewport) {
     static constexpr std::array<Vec4, 3> weight{Vec4{1, 0, 0, 0}, Vec4{0, 1, 0, 0},
                                                 Vec4{0, 0, 0, 1}};
-    const auto constants = vertex_constants<M::Vertex>(state, viewport);
+    const auto constants = vertex_constants<typename M::Vertex>(state, viewport);
     std::vector<ClipVertex> corners;
     for (const AssembledTriangle& t : triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             ClipVertex v{};
-            const auto position = words_of<M::Vertex>(position_of(mesh, t.vertex[k]));
-            v.clip = to_vec4<M::Vertex>(multiply<M::Vertex>(constants.composite, position));
+            const auto position = words_of<typename M::Vertex>(position_of(mesh, t.vertex[k]));
+            v.clip = to_vec4<typename M::Vertex>(
+                multiply<typename M::Vertex>(constants.composite, position));
             v.coords[0] = weight[k];
             corners.push_back(v);
         }
@@ -63,6 +65,7 @@ std::vector<AssembledTriangle> counted_triangles(std::size_t n) {
     return triangles;
 }
 
+template <NumericModel M>
 void draw_pass(const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
     const M m;
     const PassState state = normalized(frame.passes[pass].state);
@@ -72,7 +75,7 @@ void draw_pass(const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
     const int bits = m.snap().fraction_bits;
     DrawCounters ignored;
     for_each_window_triangle(
-        m, weighted_corners(state, mesh, triangles, rules.viewport),
+        m, weighted_corners<M>(state, mesh, triangles, rules.viewport),
         counted_triangles(triangles.size()), rules, ignored,
         [&](std::size_t k, const WindowTriangle<M>& triangle, const TriangleSetup& setup) {
             for_each_covered_pixel(
@@ -80,21 +83,20 @@ void draw_pass(const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
                 [&](int x, int y, const EdgeValues& edge) {
                     buffer.keep_nearest(
                         x, y, interpolate_depth<M>(edge, triangle),
-                        {pass, triangles[k].vertex, vertex_weights(triangle, edge)});
+                        {pass, triangles[k].vertex, vertex_weights<M>(triangle, edge)});
                 });
         });
 }
 
-}  // namespace
-
-VisibleSurface visible_surface(const Frame& frame) {
-    check_frame(frame);
+template <NumericModel M>
+VisibleSurface surface_of(const Frame& frame) {
     const std::size_t size =
         static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     constexpr double nothing = std::numeric_limits<double>::infinity();
     DepthBuffer buffer{frame.width, frame.height, std::vector<double>(size, nothing),
                        std::vector<SurfacePoint>(size)};
-    for (std::uint32_t pass = 0; pass < frame.passes.size(); ++pass) draw_pass(frame, pass, buffer);
+    for (std::uint32_t pass = 0; pass < frame.passes.size(); ++pass)
+        draw_pass<M>(frame, pass, buffer);
     VisibleSurface surface{frame.width, frame.height, std::vector<std::int32_t>(size, -1), {}};
     for (std::size_t i = 0; i < size; ++i) {
         if (buffer.depth[i] == nothing) continue;
@@ -102,6 +104,13 @@ VisibleSurface visible_surface(const Frame& frame) {
         surface.points.push_back(buffer.point[i]);
     }
     return surface;
+}
+
+}  // namespace
+
+VisibleSurface visible_surface(const Frame& frame, SnapGrid grid) {
+    check_frame(frame);
+    return grid == SnapGrid::ideal64 ? surface_of<Ideal64>(frame) : surface_of<Gl13>(frame);
 }
 
 }  // namespace twofold

@@ -23,8 +23,11 @@ struct VisibleSurface {
     std::vector<SurfacePoint> points;  ///< in pixel order
 };
 
-/// The nearest surface at each pixel centre, by ideal64's coverage and depth, whatever the passes'
-/// tests, textures and blending are; of equal depths the first wins. Culling is kept.
-VisibleSurface visible_surface(const Frame& frame);
+/// Whose snap of the vertices: ideal64's 1/4096 pixel, or the 1/16 pixel of the other presets.
+enum class SnapGrid { ideal64, sixteenths };
+
+/// The nearest surface at each pixel centre, whatever the passes' tests, textures and blending are;
+/// of equal depths the last wins, as with LEQUAL. Culling is kept.
+VisibleSurface visible_surface(const Frame& frame, SnapGrid grid = SnapGrid::ideal64);
 
 }  // namespace twofold

@@ -1,11 +1,14 @@
 #include "scenes/lighting.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
 #include "factor/directions.hpp"
 #include "factor/lighting.hpp"
 #include "texunit/error.hpp"
+#include "texunit/exact_math.hpp"
 #include "texunit/image_file.hpp"
 
 namespace twofold {
@@ -57,6 +60,26 @@ std::map<std::string, Brdf> used_materials(const Scene& scene) {
     return used;
 }
 
+/// Half width at half height of the narrowest lobe, radians.
+double lobe_half_width(const Brdf& brdf) {
+    if (const auto* phong = std::get_if<ModifiedPhong>(&brdf))
+        return exact::acos(exact::pow(0.5, 1.0 / std::max(phong->exponent, 1.0)));
+    double narrowest = exact::pi / 2.0;
+    for (const BeckmannLobe& lobe : std::get<CookTorrance>(brdf).lobes)
+        narrowest = std::min(narrowest, lobe.m);
+    return narrowest;
+}
+
+/// A lobe narrower than a texel cannot be held by the second map (S03). Texels of one face span a
+/// half turn.
+std::vector<std::string> sampling_warnings(const Brdf& brdf, int map_size) {
+    const double lobe = lobe_half_width(brdf), texel = exact::pi / map_size;
+    if (lobe >= texel) return {};
+    return {fmt::format(
+        "undersampled: the lobe's half width is {:.3g} rad, a texel of the {} x {} map {:.3g} rad",
+        lobe, map_size, map_size, texel)};
+}
+
 }  // namespace
 
 SceneLights make_lights(const Scene& scene) {
@@ -102,7 +125,10 @@ LitScene light_scene(const Scene& scene, int threads, const StepListener& listen
     lit.white = white_radiance(scene.white, samples);
     for (const auto& [name, s] : samples) {
         listen("factor " + name);
-        lit.materials.emplace(name, factorize(s.fit, s.held_out, settings, lit.white, threads));
+        FactoredLighting lighting = factorize(s.fit, s.held_out, settings, lit.white, threads);
+        for (std::string& w : sampling_warnings(scene.materials.at(name), settings.map_size))
+            lighting.warnings.push_back(std::move(w));
+        lit.materials.emplace(name, std::move(lighting));
     }
     return lit;
 }

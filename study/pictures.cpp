@@ -78,6 +78,10 @@ std::string hash_of(const Framebuffer& picture) {
     return hex_hash([&](Fnv1a& hash) { feed_image(hash, byte_image(picture)); });
 }
 
+std::string hash_of(const Texture& texture) {
+    return hex_hash([&](Fnv1a& hash) { feed_image(hash, byte_image(texture)); });
+}
+
 std::string hash_of(const FactorMap& map) {
     return hex_hash([&](Fnv1a& hash) {
         for (const Texture& face : map.bytes) feed_image(hash, byte_image(face));

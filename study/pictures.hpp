@@ -14,6 +14,9 @@ std::string hash_of(const Framebuffer& picture);
 /// FNV-1a of the 8-bit images of a factor's two faces.
 std::string hash_of(const FactorMap& map);
 
+/// FNV-1a of a texture as byte_image() shows it.
+std::string hash_of(const Texture& texture);
+
 ByteImage byte_image(const Framebuffer& picture);
 FloatImage float_image(const Framebuffer& picture);
 

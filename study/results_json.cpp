@@ -19,9 +19,10 @@ Json treated_json(const TreatedSamples& t) {
 
 Json channel_json(std::size_t channel, const FactoredLighting& lighting) {
     const ChannelFit& fit = lighting.fit[channel];
+    const bool black = lighting.c[static_cast<int>(channel)] == 0.0;
     const ByteLoss &t1 = lighting.t1.loss[channel], &t2 = lighting.t2.loss[channel];
     return {{"channel", channel_name(channel)},
-            {"status", name_of(fit.solver.status)},
+            {"status", black ? "black" : name_of(fit.solver.status)},
             {"iterations", fit.solver.iterations},
             {"best_iteration", fit.solver.best_iteration},
             {"relative_residual", fit.solver.relative_residual},
@@ -99,6 +100,7 @@ Json to_json(const FloatDifference& d) {
     return {{"samples_compared", d.samples_compared},
             {"differing_samples", d.differing_samples},
             {"differing_pixels", d.differing_pixels},
+            {"without_distance", d.without_distance},
             {"coverage_differs", d.coverage_differs},
             {"first_difference", first},
             {"max_abs", d.max_abs},
@@ -124,8 +126,13 @@ Json to_json(const DrawCounters& c) {
 Json factors_json(const Scene& scene, const LitScene& lit) {
     Json materials = Json::object();
     for (const auto& [name, lighting] : lit.materials) materials[name] = lighting_json(lighting);
+    const FactorSettings& settings = scene.factorization;
     return {{"title", scene.title},
             {"version", program_version()},
+            {"method", settings.method == Method::paper ? "paper" : "letter"},
+            {"solver", settings.solver == Solver::qmr ? "qmr" : "lsmr"},
+            {"fit_samples", settings.samples},
+            {"held_out_samples", settings.held_out},
             {"white", lit.white},
             {"environment", environment_json(lit.lights)},
             {"materials", materials}};

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "raster/reference.hpp"
+#include "study/outline.hpp"
 #include "study/pictures.hpp"
 
 namespace twofold {
@@ -48,15 +49,45 @@ void draw_preset(RunResult& run, const SceneAssets& assets, Preset preset) {
     run.pictures.push_back({std::string(name_of(preset)), render_reference(frame, preset)});
 }
 
-/// Every picture against exact, and every other against ideal64.
-void compare_all(RunResult& run) {
-    for (const char* reference : {"exact", "ideal64"})
+/// The picture as if nothing were drawn at the pixels of the outline, so that they count as
+/// differing in coverage. Pictures on ideal64's snap grid have no such pixels between them.
+ByteImage without_outline(const RunPicture& picture, const std::vector<bool>& outline) {
+    ByteImage image = byte_image(picture.picture);
+    if (picture.name == "ideal64") return image;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        if (outline[i]) image.pixels[i].a = 0;
+    return image;
+}
+
+/// Every picture against exact, and every other against ideal64. The exact picture knows nothing of
+/// explicit passes: a scene that has them is not compared with it.
+void compare_all(RunResult& run, const std::vector<bool>& outline) {
+    for (const char* reference : {"exact", "ideal64"}) {
+        if (std::string_view(reference) == "exact" && !run.scene.passes.empty()) continue;
         for (const RunPicture& a : run.pictures)
             for (const RunPicture& b : run.pictures)
                 if (b.name == reference && a.name != "exact" && a.name != reference)
-                    run.comparisons.push_back(
-                        {a.name, b.name,
-                         difference_where_covered(byte_image(a.picture), byte_image(b.picture))});
+                    run.comparisons.push_back({a.name, b.name,
+                                               difference_where_covered(without_outline(a, outline),
+                                                                        byte_image(b.picture))});
+    }
+}
+
+/// A channel without any light: nothing was solved for it.
+void note_black_channels(RunResult& run) {
+    for (const auto& [name, lighting] : run.lit.materials)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (lighting.c[static_cast<int>(c)] == 0.0)
+                run.notes.push_back(fmt::format(
+                    "{}: {} is black everywhere: factors 0, scale 0, no logarithm taken", name,
+                    channel_name(c)));
+}
+
+bool nothing_drawn(const RunResult& run) {
+    for (const RunPicture& p : run.pictures)
+        for (const Rgba8 pixel : p.picture.bytes)
+            if (pixel.a != 0) return false;
+    return true;
 }
 
 }  // namespace
@@ -85,6 +116,13 @@ std::vector<std::string> notes_about(const SceneLights& lights, const SceneAsset
     return notes;
 }
 
+std::vector<std::string> warnings_of(const FactoredMaterials& materials) {
+    std::vector<std::string> warnings;
+    for (const auto& [name, lighting] : materials)
+        for (const std::string& text : lighting.warnings) warnings.push_back(name + ": " + text);
+    return warnings;
+}
+
 RunResult run_scene(const Scene& scene, int threads, const StepListener& listen) {
     RunResult run{scene, {}, {}, 0, {}, {}, {}, {}, {}};
     StepClock clock(run.steps, listen);
@@ -96,8 +134,8 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
         clock.begin("averaging cost " + name);
         run.averaging_cost[name] =
             averaging_cost(scene, run.lit.lights, scene.materials.at(name), threads);
-        for (const std::string& w : lighting.warnings) run.warnings.push_back(name + ": " + w);
     }
+    run.warnings = warnings_of(run.lit.materials);
     if (!scene.objects.empty()) {
         clock.begin("exact picture");
         draw_exact(run, assets, threads);
@@ -107,7 +145,14 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
         draw_preset(run, assets, preset);
     }
     clock.begin("compare");
-    compare_all(run);
+    compare_all(run, scene.objects.empty() ? std::vector<bool>{}
+                                           : outline_pixels(make_surface_frame(scene, assets)));
+    note_black_channels(run);
+    if (!scene.objects.empty() && !scene.passes.empty())
+        run.notes.push_back(
+            "exact shows the objects without the explicit passes; no picture is "
+            "compared with it");
+    if (nothing_drawn(run)) run.warnings.push_back("no pixel of any object is visible");
     clock.end();
     return run;
 }

@@ -45,6 +45,9 @@ struct RunResult {
 /// @param listen told of each step as it begins
 RunResult run_scene(const Scene& scene, int threads, const StepListener& listen);
 
+/// What the factorisation warns of, each with its material's name.
+std::vector<std::string> warnings_of(const FactoredMaterials& materials);
+
 /// Notes about the environment and meshes, in words.
 std::vector<std::string> notes_about(const SceneLights& lights, const SceneAssets& assets);
 

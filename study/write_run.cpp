@@ -41,7 +41,7 @@ ReportComparison report_comparison(const RunResult& run, const RunComparison& c)
 
 ReportChannelFit report_fit(const ChannelFit& fit, double c) {
     const TreatedSamples& t = fit.counts;
-    return {name_of(fit.solver.status),
+    return {c == 0.0 ? "black" : name_of(fit.solver.status),
             fit.solver.iterations,
             fit.solver.relative_residual,
             fit.solver.history,
@@ -80,7 +80,7 @@ ReportMaterial report_material(const RunResult& run, const std::string& name,
     for (const auto& [label, map] : {std::pair{"t1", &lighting.t1}, std::pair{"t2", &lighting.t2}})
         for (std::size_t face = 0; face < 2; ++face)
             m.maps.push_back({fmt::format("{} {}", label, face_names[face]),
-                              encode_png(byte_image(map->bytes[face])), hash_of(*map)});
+                              encode_png(byte_image(map->bytes[face])), hash_of(map->bytes[face])});
     return m;
 }
 
@@ -109,11 +109,13 @@ std::vector<std::string> report_notes(const RunResult& run) {
 std::vector<std::pair<std::string, std::string>> provenance(const RunResult& run) {
     std::vector<std::pair<std::string, std::string>> rows{
         {"program", "twofold " + program_version()}};
-    for (const RunPicture& p : run.pictures) rows.emplace_back(p.name, hash_of(p.picture));
-    for (const auto& [name, lighting] : run.lit.materials) {
-        rows.emplace_back(name + " t1", hash_of(lighting.t1));
-        rows.emplace_back(name + " t2", hash_of(lighting.t2));
-    }
+    const FactorSettings& s = run.scene.factorization;
+    if (!run.scene.objects.empty())
+        rows.emplace_back(
+            "factorisation",
+            fmt::format("method {}, solver {}, {} samples, {} held out",
+                        s.method == Method::paper ? "paper" : "letter",
+                        s.solver == Solver::qmr ? "qmr" : "lsmr", s.samples, s.held_out));
     return rows;
 }
 

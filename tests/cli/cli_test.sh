@@ -28,8 +28,8 @@ holds() {
     if "$@" >/dev/null 2>&1; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $text"; fi
 }
 
-small=(-q -D image.width=96 -D image.height=64 -D environment.cells=128 -D factorization.map_size=16
-       -D factorization.samples=12000 -D factorization.held_out=500)
+small=(-q -D image.width=96 -D image.height=64 -D environment.cells=128 -D factorization.map_size=20
+       -D factorization.samples=17000 -D factorization.held_out=500)
 lobe=$scenes/sphere-lobe.json
 
 # Usage
@@ -63,8 +63,8 @@ holds "stale temporaries are swept" test ! -e "$work/a/.report.html.twofold-9999
 # factor, render
 expect 0 '"log_rms"' "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" --json
 holds "factor writes factors.json" test -s "$work/f/factors.json"
-expect 0 "lsmr" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.solver=lsmr -D title=lsmr --json
-expect 5 "did not converge" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.iteration_limit=3
+expect 0 '"solver": "lsmr"' "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.solver=lsmr --json
+expect 5 "the solver ended with limit" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.iteration_limit=3
 expect 2 "nothing to factor" "$twofold" factor "$scenes/two-passes.json" -o "$work/f"
 expect 0 "nv17" "$twofold" render "$scenes/two-passes.json" -o "$work/quad.png" --preset nv17
 expect 0 "gl13" "$twofold" render "$scenes/two-passes.json" -o "$work/quad-gl13.png" --preset gl13
@@ -100,7 +100,17 @@ echo "in the way" >"$work/file"
 expect 4 "$work/file" "$twofold" run "$lobe" -o "$work/file" "${small[@]}"
 holds "a failed run leaves no folder" test ! -e "$work/x"
 
-# Not enough samples is a warning, the paper to the letter does not converge
+# The paper to the letter warns when its result is unusable
+expect 5 "warning" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D factorization.method=letter
+expect 1 "undersampled" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" \
+    -D materials.phong.modified_phong.exponent=100000
+expect 1 "no pixel of any object is visible" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D objects.0.scale=1e-6
+
+# Lost output is an error
+expect 4 "standard output" sh -c "'$twofold' explain --preset nv17 >/dev/full"
+expect 2 "must end in .png" "$twofold" compare "$work/quad.png" "$work/quad.png" --diff "$work/d.exr"
+
+# Not enough samples is a warning
 expect 1 "fewer than 10 an unknown" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D factorization.samples=2000
 
 echo "$passed passed, $failed failed"

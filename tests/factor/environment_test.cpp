@@ -174,7 +174,7 @@ TEST_CASE("Repair reads what is not finite as zero and counts it", "[environment
     CHECK(total_weight(sky.lights) > 0.9 * four_pi);
 }
 
-TEST_CASE("Alpha is ignored, also where it is not finite; grey is read as three equal channels",
+TEST_CASE("Alpha is ignored, also where it is not finite, and grey is read as three equal channels",
           "[environment][D08]") {
     const FloatImage rgba =
         with_value(even_map(8, 4, 4, 1.0F), 2, 2, 3, std::numeric_limits<float>::quiet_NaN());

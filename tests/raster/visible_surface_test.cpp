@@ -63,14 +63,14 @@ TEST_CASE("weights are correct in perspective, on clipped triangles too", "[visi
         }
 }
 
-TEST_CASE("the nearest triangle is seen, and of equal ones the first", "[visible]") {
+TEST_CASE("the nearest triangle is seen, and of equal ones the last", "[visible]") {
     Frame frame = pixel_frame(8, 8, rectangle(0, 0, 8, 8, 0.5));
     frame.meshes.push_back(rectangle(0, 0, 4, 8, 0.25));
     frame.passes.push_back({frame.passes[0].state, 1});
     frame.passes.push_back(frame.passes[0]);
     const VisibleSurface surface = visible_surface(frame);
     CHECK(point_at(surface, 1, 1)->pass == 1);
-    CHECK(point_at(surface, 6, 6)->pass == 0);
+    CHECK(point_at(surface, 6, 6)->pass == 2);
     CHECK(point_at(surface, 4, 0)->vertex == std::array<std::uint32_t, 3>{0, 2, 3});
 }
 

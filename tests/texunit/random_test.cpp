@@ -16,7 +16,7 @@ TEST_CASE("the generator gives the published outputs of splitmix64", "[random]")
 
 TEST_CASE("32 bits are the upper half of 64", "[random]") { CHECK(random_u32(0, 0) == 0xe220a839); }
 
-TEST_CASE("fractions lie in [0, 1) and fill it evenly", "[random]") {
+TEST_CASE("fractions are at least 0, below 1, and fill the interval evenly", "[random]") {
     constexpr int draws = 160000;
     std::array<int, 16> bins{};
     bool inside = true;

@@ -1,0 +1,13 @@
+#!/bin/bash
+# Test titles that CMake's lists would break: with a bracket or a semicolon ctest runs several tests as one that
+# does not exist, and calls it passed.
+# usage: titles.sh [SOURCE_DIR]      prints the titles; exit 0 when there are none, 1 otherwise
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+cd "${1:-$here/../..}" || exit 2
+
+# A title is the string literals between the parenthesis and the first comma or the closing parenthesis.
+titles() {
+    cat tests/*/*_test.cpp | tr '\n' ' ' | grep -oP 'TEST_CASE\(\s*("[^"]*"\s*)+' | grep -oP '".*"'
+}
+if titles | grep '[][;]'; then exit 1; fi
