@@ -29,6 +29,7 @@ struct Check {
     std::function<std::vector<Frame>()> frames;
     /// Pixels of a frame whose colour may differ by anything; none: all are compared.
     std::function<std::vector<bool>(const Frame&)> left_out = {};
+    std::vector<Preset> presets{Preset::gl13, Preset::float32};
 };
 
 /// A row of the report.

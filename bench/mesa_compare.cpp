@@ -71,8 +71,8 @@ void keep_pictures(const Options& options, const Row& row, const ByteImage& ours
 }
 
 std::vector<Row> run(const Driver& driver, const Check& check, const Options& options) {
-    std::vector<Row> rows{judged(driver, check, Preset::gl13),
-                          judged(driver, check, Preset::float32)};
+    std::vector<Row> rows;
+    for (const Preset preset : check.presets) rows.push_back(judged(driver, check, preset));
     for (const Frame& frame : check.frames()) {
         const ByteImage theirs = draw_with_gl(frame);
         const std::vector<bool> left_out =

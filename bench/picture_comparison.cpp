@@ -29,7 +29,10 @@ void compare_pictures(const ByteImage& ours, const ByteImage& theirs, Rgba8 back
         } else {
             const int step = largest_step(a, b);
             ++sum.steps[std::min<std::size_t>(static_cast<std::size_t>(step), 5)];
-            sum.worst = std::max(sum.worst, step);
+            if (step <= sum.worst) continue;
+            sum.worst = step;
+            const auto width = static_cast<std::size_t>(ours.width);
+            sum.worst_pixel = {static_cast<int>(i % width), static_cast<int>(i / width), a, b};
         }
     }
 }

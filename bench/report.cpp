@@ -13,12 +13,26 @@ std::string heading() {
                        "worst/bound");
 }
 
+namespace {
+
+std::string text_of(Rgba8 c) { return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a); }
+
+/// Only of a row that exceeds its bound in colour.
+std::string worst_pixel(const Row& row) {
+    if (row.result.worst <= row.bound.steps) return "";
+    const PixelPair& p = row.result.worst_pixel;
+    return fmt::format("\n    worst at ({}, {}): ours {}, theirs {}", p.x, p.y, text_of(p.ours),
+                       text_of(p.theirs));
+}
+
+}  // namespace
+
 std::string text_of(const Row& row) {
     const PictureComparison& r = row.result;
-    return fmt::format("{:<42} {:<8} {:>9} {:>6} {:>6} {:>8.4f}%  {:<34} {}/{} {}{}", row.name,
+    return fmt::format("{:<42} {:<8} {:>9} {:>6} {:>6} {:>8.4f}%  {:<34} {}/{} {}{}{}", row.name,
                        name_of(row.preset), r.pixels, r.coverage, r.left_out,
                        100.0 * r.equal_share(), fmt::format("{}", fmt::join(r.steps, " ")), r.worst,
-                       row.bound.steps, row.passed() ? "ok" : "FAIL",
+                       row.bound.steps, row.passed() ? "ok" : "FAIL", worst_pixel(row),
                        row.reason.empty() ? "" : "\n    " + row.reason);
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: install_packages.sh build|check
+# Installs the Debian packages that are missing: install_packages.sh build|check|gl
 # docs/dependencies.md says what each is for.
 set -euo pipefail
 
@@ -7,11 +7,14 @@ build=(ca-certificates g++ cmake ninja-build pkg-config libglm-dev libfmt-dev li
        nlohmann-json3-dev libcli11-dev libopenimageio-dev)
 check=("${build[@]}" clang catch2 libmpfr-dev libgmm++-dev libtinyobjloader-dev
        binutils git python3 python3-jsonschema chromium)
+# To compare with Mesa's drivers without a screen (-DTWOFOLD_GL=ON).
+gl=("${build[@]}" libegl-dev libgl-dev libopengl-dev libegl1 libegl-mesa0 libgl1-mesa-dri)
 
 case "${1:-}" in
     build) wanted=("${build[@]}") ;;
     check) wanted=("${check[@]}") ;;
-    *) echo "usage: $0 build|check" >&2; exit 2 ;;
+    gl) wanted=("${gl[@]}") ;;
+    *) echo "usage: $0 build|check|gl" >&2; exit 2 ;;
 esac
 
 missing=()
