@@ -91,7 +91,7 @@ void check_count(const TestResult& result) {
 
 void run_test(const fs::path& file, const Options& options, Preset preset, TestResult& result) {
     const Description description =
-        parse_description(read_text_file(file, scene_io::max_json_bytes), file.filename().string());
+        parse_description(read_text_file(file, scene_io::max_json_bytes), result.id + ".json");
     if (description.id != result.id)
         throw Error(ExitCode::failure, "id: '" + description.id + "' is not the file's place");
     result.expectation = description.expectation;
@@ -112,6 +112,7 @@ TestResult result_of(const fs::path& file, const Options& options, Preset preset
         run_test(file, options, preset, result);
     } catch (const Error& e) {
         result.error = e.what();
+        result.comparison = {};  // of what is wrong in itself no pixel counts
     }
     return result;
 }

@@ -20,6 +20,21 @@ std::string row(const std::string& name, const Tally& t) {
                        t.reproduced, t.compared, t.wrong, t.wrong_beyond);
 }
 
+/// What nobody reproduced may deviate elsewhere, in no more pixels than the independent renderer
+/// did.
+bool is_near_miss(const TestResult& result) {
+    if (!result.expectation || result.expectation->reproduced) return false;
+    const auto wrong = static_cast<double>(result.comparison.wrong.size());
+    return wrong <= result.expectation->pixels_wrong &&
+           wrong <= tolerated_share * result.comparison.compared;
+}
+
+/// What the eye should catch at the start of a line.
+std::string_view mark_of(const TestResult& result) {
+    if (passed(result)) return "";
+    return is_near_miss(result) ? "ELSEWHERE " : "FAILED ";
+}
+
 std::string expected_text(const TestResult& result) {
     if (!result.expectation) return "";
     return fmt::format(", {} expected", result.expectation->pixels_wrong);
@@ -32,8 +47,8 @@ std::string line_of(const TestResult& result) {
     return fmt::format(
         "  {}{}: {} of {} pixels wrong{}, {} of them not listed, max {}, first at "
         "({}, {})\n",
-        passed(result) ? "" : "FAILED ", result.id, c.wrong.size(), c.compared,
-        expected_text(result), c.wrong_beyond.size(), c.max_difference, x, y);
+        mark_of(result), result.id, c.wrong.size(), c.compared, expected_text(result),
+        c.wrong_beyond.size(), c.max_difference, x, y);
 }
 
 nlohmann::ordered_json json_of(const Tally& t) {
@@ -68,15 +83,6 @@ nlohmann::ordered_json json_of(const TestResult& result) {
     json["wrong_pixels_xy"] = std::move(pixels);
     if (result.expectation) json["expected"] = json_of(*result.expectation);
     return json;
-}
-
-/// What nobody reproduced may deviate elsewhere, in no more pixels than the independent renderer
-/// did.
-bool is_near_miss(const TestResult& result) {
-    if (!result.expectation || result.expectation->reproduced) return false;
-    const auto wrong = static_cast<double>(result.comparison.wrong.size());
-    return wrong <= result.expectation->pixels_wrong &&
-           wrong <= tolerated_share * result.comparison.compared;
 }
 
 }  // namespace

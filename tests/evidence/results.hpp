@@ -38,7 +38,8 @@ Tally tally_of(const std::vector<TestResult>& results);
 std::vector<std::pair<std::string, std::vector<TestResult>>> by_suite(
     const std::vector<TestResult>& results);
 
-/// Tables for reading: suites, totals, and every test with a wrong pixel.
+/// Tables for reading: suites, totals, and every test with a wrong pixel. FAILED marks what the
+/// verdict holds against us, ELSEWHERE as many wrong pixels as expected in other places.
 std::string text_of(const std::vector<TestResult>& results);
 
 /// The same as JSON, and for each test the figures that its description expects.

@@ -56,7 +56,7 @@ Rgba8 texel_of(const Gradient& rule, int x, int y, Size size) {
 
 /// The distance in y is counted from half the width as well, as the test programs do.
 Rgba8 texel_of(const RadialAlphaPattern&, int x, int y, Size size) {
-    const int half_width = size.width / 2, half_height = size.height / 2;
+    const int half_width = std::max(1, size.width / 2), half_height = std::max(1, size.height / 2);
     const int i = scaled(x % half_width, half_width), j = scaled(y % half_height, half_height);
     const float dx = static_cast<float>(x) - 0.5F * static_cast<float>(size.width);
     const float dy = static_cast<float>(y) - 0.5F * static_cast<float>(size.width);
