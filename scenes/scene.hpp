@@ -18,8 +18,8 @@
 namespace twofold {
 
 struct ImageSpec {
-    int width = 1024;   ///< pixels
-    int height = 768;   ///< pixels
+    int width = 1024;     ///< pixels
+    int height = 768;     ///< pixels
     Rgb background{0.0};  ///< displayed value 0..1, alpha 0
     ColorFormat color_format = ColorFormat::rgba8888;
     int depth_bits = 24;  ///< 16 or 24
@@ -38,7 +38,8 @@ struct Camera {
 /// A latitude-longitude picture (.hdr, .exr); the path is relative to the scene file.
 struct LatLongFile {
     std::string path;
-    bool repair = false;  ///< texels that are not finite become 0 and are counted, instead of an error
+    bool repair =
+        false;  ///< texels that are not finite become 0 and are counted, instead of an error
 };
 
 /// Area lights painted onto a constant background (types of factor/environment.hpp), rendered to a
@@ -55,10 +56,12 @@ struct DirectionalLights {
 
 struct EnvironmentSpec {
     std::variant<LatLongFile, PaintedLatLong, DirectionalLights> source;
-    int cells = 8192;  ///< the picture is averaged to at most so many lights; no effect on directional ones
+    int cells =
+        8192;  ///< the picture is averaged to at most so many lights; no effect on directional ones
 };
 
-/// The radiance that is displayed as 1.0: a number, or a percentile of the samples' largest channel.
+/// The radiance that is displayed as 1.0: a number, or a percentile of the samples' largest
+/// channel.
 struct WhitePoint {
     std::optional<double> radiance;
     double percentile = 99.0;
@@ -77,7 +80,8 @@ struct InlineMesh {
 };
 using MeshSpec = std::variant<MeshFile, SphereMesh, QuadMesh, InlineMesh>;
 
-/// A mesh shaded by the paper's method: its material's lighting function, factored and drawn in passes.
+/// A mesh shaded by the paper's method: its material's lighting function, factored and drawn in
+/// passes.
 struct FactoredObject {
     std::string mesh;
     std::string material;
@@ -93,7 +97,7 @@ struct TextureFile {
 struct Checkerboard {
     int width = 8;
     int height = 8;
-    int cell = 1;  ///< texels along the edge of one field
+    int cell = 1;     ///< texels along the edge of one field
     Vec4 first{1.0};  ///< texel (0, 0)
     Vec4 second{0.0, 0.0, 0.0, 1.0};
 };
@@ -129,7 +133,8 @@ inline constexpr std::array usual_presets{Preset::ideal64, Preset::float32, Pres
 
 struct Scene {
     std::string title;
-    std::string directory;  ///< where relative paths start: that of the scene file, unless it names one
+    std::string
+        directory;  ///< where relative paths start: that of the scene file, unless it names one
     ImageSpec image;
     Camera camera;
     std::optional<EnvironmentSpec> environment;  ///< needed when there are objects
