@@ -135,7 +135,7 @@ ExitCode render_command(const RenderOptions& options, const CommonOptions& commo
         light_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
     console.step(fmt::format("draw {}", name_of(preset)));
     const Framebuffer picture =
-        render_reference(make_frame(scene, assets, lit.materials, preset), preset);
+        render_reference(make_frame(scene, assets, lit.materials, preset), preset, scene.custom);
     write_picture(options.output, picture);
     console.finish();
     if (common.json)

@@ -59,10 +59,10 @@ Frame explained_frame(const Scene& scene) {
 }
 
 /// What one pass alone does to a cleared picture: its counted work.
-DrawCounters work_of(const Frame& frame, std::size_t pass, Preset preset) {
+DrawCounters work_of(const Frame& frame, std::size_t pass, const Scene& scene) {
     Frame alone = frame;
     alone.passes = {frame.passes[pass]};
-    return render_reference(alone, preset).counters;
+    return render_reference(alone, scene.presets.front(), scene.custom).counters;
 }
 
 Json pass_json(const PassState& state, const DrawCounters& work) {
@@ -88,7 +88,7 @@ ExitCode explain_scene(const ExplainOptions& options, const CommonOptions& commo
     Json passes = Json::array();
     for (std::size_t i = 0; i < frame.passes.size(); ++i) {
         const PassState& state = frame.passes[i].state;
-        const DrawCounters work = work_of(frame, i, scene.presets.front());
+        const DrawCounters work = work_of(frame, i, scene);
         if (common.json)
             passes.push_back(pass_json(state, work));
         else

@@ -33,12 +33,6 @@ struct BoundPass {
 };
 
 template <NumericModel M>
-Color<typename M::Channel> channels_of(const M& m, const Vec4& c) {
-    return m.texel(Rgba32f{static_cast<float>(c.x), static_cast<float>(c.y),
-                           static_cast<float>(c.z), static_cast<float>(c.w)});
-}
-
-template <NumericModel M>
 Color<typename M::Pixel> pixels_of(const M& m, const Vec4& c) {
     return {m.pixel(c.x), m.pixel(c.y), m.pixel(c.z), m.pixel(c.w)};
 }
@@ -49,8 +43,8 @@ BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& st
     return {index,
             state,
             &texture,
-            channels_of(m, state.border_color),
-            channels_of(m, state.env.color),
+            kept_by(m, texture.base_format, constant_color(m, state.border_color)),
+            constant_color(m, state.env.color),
             needs_derivatives(state, texture.has_mipmaps())};
 }
 
@@ -65,7 +59,7 @@ BoundPass<M> bind(const M& m, const PassState& state,
             bound.units.push_back(
                 bind_unit(m, u, *unit, unit->texture ? textures[*unit->texture] : white));
     if (state.combiners) bound.combiners = bind_combiners(m, *state.combiners);
-    if (state.fog) bound.fog_color = channels_of(m, Vec4{state.fog->color, 0.0});
+    if (state.fog) bound.fog_color = constant_color(m, Vec4{state.fog->color, 0.0});
     if (state.blend) bound.blend_color = pixels_of(m, state.blend->color);
     bound.alpha_reference = m.pixel(state.alpha_test ? state.alpha_test->reference : 0.0);
     return bound;

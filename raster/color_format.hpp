@@ -38,8 +38,7 @@ inline constexpr std::array<std::array<int, 4>, 4> bayer{
 /// Red, green and blue cut to the format's bits, the low bits zero; alpha as it is.
 template <NumericModel M>
 Color<typename M::Pixel> cut(const M& m, Color<typename M::Pixel> c, const FormatBits& format) {
-    for (std::size_t k = 0; k < 3; ++k)
-        if (format.rgb[k] < 8) c[k] = m.quantise(c[k], format.rgb[k]);
+    for (std::size_t k = 0; k < 3; ++k) c[k] = m.quantise(c[k], format.rgb[k]);
     return c;
 }
 

@@ -60,6 +60,7 @@ void read_outputs(const JsonObject& fields, CombinerPortion& portion) {
     portion.cd_output = read_output(fields, "cd_output");
     portion.sum_output = read_output(fields, "sum_output");
     portion.mux = fields.boolean("mux", portion.mux);
+    portion.mux_by_lowest_bit = fields.boolean("mux_by_lowest_bit", portion.mux_by_lowest_bit);
     portion.scale = fields.enumerator("scale", combiner_scale_names, portion.scale);
     portion.bias_by_negative_one_half =
         fields.boolean("bias_by_negative_one_half", portion.bias_by_negative_one_half);
@@ -67,9 +68,9 @@ void read_outputs(const JsonObject& fields, CombinerPortion& portion) {
 
 CombinerPortion read_rgb_portion(const JsonValue& value) {
     const JsonObject fields(
-        value,
-        {"inputs", "ab_output", "cd_output", "sum_output", "ab_dot_product", "cd_dot_product",
-         "mux", "scale", "bias_by_negative_one_half", "ab_blue_to_alpha", "cd_blue_to_alpha"});
+        value, {"inputs", "ab_output", "cd_output", "sum_output", "ab_dot_product",
+                "cd_dot_product", "mux", "mux_by_lowest_bit", "scale", "bias_by_negative_one_half",
+                "ab_blue_to_alpha", "cd_blue_to_alpha"});
     CombinerPortion portion;
     read_inputs(fields, rgb_component_names, portion);
     read_outputs(fields, portion);
@@ -83,7 +84,7 @@ CombinerPortion read_rgb_portion(const JsonValue& value) {
 
 CombinerPortion read_alpha_portion(const JsonValue& value) {
     const JsonObject fields(value, {"inputs", "ab_output", "cd_output", "sum_output", "mux",
-                                    "scale", "bias_by_negative_one_half"});
+                                    "mux_by_lowest_bit", "scale", "bias_by_negative_one_half"});
     CombinerPortion portion;
     read_inputs(fields, alpha_component_names, portion);
     read_outputs(fields, portion);

@@ -33,6 +33,7 @@ Json portion_of(const CombinerPortion& portion, const Components& components) {
             {"cd_output", output_of(portion.cd_output)},
             {"sum_output", output_of(portion.sum_output)},
             {"mux", portion.mux},
+            {"mux_by_lowest_bit", portion.mux_by_lowest_bit},
             {"scale", name_in(combiner_scale_names, portion.scale)},
             {"bias_by_negative_one_half", portion.bias_by_negative_one_half}};
 }

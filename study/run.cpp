@@ -46,7 +46,8 @@ void draw_exact(RunResult& run, const SceneAssets& assets, int threads) {
 
 void draw_preset(RunResult& run, const SceneAssets& assets, Preset preset) {
     const Frame frame = make_frame(run.scene, assets, run.lit.materials, preset);
-    run.pictures.push_back({std::string(name_of(preset)), render_reference(frame, preset)});
+    run.pictures.push_back(
+        {std::string(name_of(preset)), render_reference(frame, preset, run.scene.custom)});
 }
 
 /// The picture as if nothing were drawn at the pixels of the outline, so that they count as

@@ -125,6 +125,13 @@ struct PortionResult {
     Color<typename M::Channel> ab, cd, sum;
 };
 
+/// What MUX selects by spare0's alpha: its highest bit, or on NV2x its lowest.
+template <NumericModel M>
+bool mux_takes_ab(const M& m, const CombinerPortion& portion, typename M::Channel spare0_alpha) {
+    if (portion.mux_by_lowest_bit) return (m.to_unorm8(m.finish(spare0_alpha)) & 1) == 0;
+    return m.add(spare0_alpha, spare0_alpha) < m.one();
+}
+
 /// AB and CD (products or dot products), and AB + CD rounded once or, with mux, one of the two.
 template <NumericModel M>
 PortionResult<M> evaluate(const M& m, const CombinerPortion& portion, PortionChannels channels,
@@ -133,8 +140,7 @@ PortionResult<M> evaluate(const M& m, const CombinerPortion& portion, PortionCha
     const auto b = read_input(m, portion.input[1], registers);
     const auto c = read_input(m, portion.input[2], registers);
     const auto d = read_input(m, portion.input[3], registers);
-    const auto spare0_alpha = registers[CombinerRegister::spare0][3];
-    const bool takes_ab = m.add(spare0_alpha, spare0_alpha) < m.one();
+    const bool takes_ab = mux_takes_ab(m, portion, registers[CombinerRegister::spare0][3]);
     const auto stored = [&](typename M::Channel x) {
         return m.scale_and_bias(x, portion.scale, portion.bias_by_negative_one_half);
     };

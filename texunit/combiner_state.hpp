@@ -59,6 +59,7 @@ struct CombinerPortion {
     std::optional<CombinerRegister> ab_output, cd_output, sum_output;
     bool ab_dot_product = false, cd_dot_product = false;  ///< RGB only
     bool mux = false;  ///< the sum output is AB if spare0 alpha < 1/2, else CD
+    bool mux_by_lowest_bit = false;  ///< NV2x: AB if the lowest bit of spare0 alpha is 0, else CD
     CombinerScale scale = CombinerScale::one;
     bool bias_by_negative_one_half = false;
     bool ab_blue_to_alpha = false, cd_blue_to_alpha = false;  ///< NV2x, RGB only

@@ -64,7 +64,7 @@ struct LevelSelection {
 inline int nearest_level(double lambda, int last_level) {
     if (lambda <= 0.5) return 0;
     if (lambda > last_level + 0.5) return last_level;
-    return static_cast<int>(std::ceil(lambda - 0.5));
+    return -static_cast<int>(std::floor(0.5 - lambda));
 }
 
 /// @param last_level  index of the coarsest level; 0 means that there are no mipmaps, and the base

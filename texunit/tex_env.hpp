@@ -157,7 +157,7 @@ Color<typename M::Channel> apply_combine(const M& m, const TexEnv& env,
     for (std::size_t k = 0; k < 3; ++k)
         result[k] = combine_function(m, env.combine_rgb, env.rgb_scale, k, rgb);
     result[3] = env.combine_rgb == CombineFunction::dot3_rgba
-                    ? result[2]
+                    ? combine_function(m, env.combine_rgb, env.alpha_scale, 3, rgb)
                     : combine_function(m, env.combine_alpha, env.alpha_scale, 3, values(env.alpha));
     return result;
 }

@@ -18,13 +18,14 @@ struct ProjectiveCoordinates {
 /// here before they become integers.
 inline constexpr int farthest_texel = 1 << 15;
 
-/// numerator x size / q in texels, with a single division: an exact integer stays one. q = 0 and
-/// results that are not numbers give 0 (T02).
+/// numerator x size / q in texels, with a single division: an exact integer stays one. Division by
+/// 0 gives the farthest texel by sign, as captures of NV2A show; 0 / 0 and other results that are
+/// not numbers give 0 (T02).
 template <class Real>
 Real texel_coordinate(Real numerator, Real q, int size) {
     const Real u = numerator * static_cast<Real>(size) / q;
     constexpr Real limit{farthest_texel};
-    if (q == Real{0} || !(u == u)) return Real{0};
+    if (!(u == u)) return Real{0};
     return u < -limit ? -limit : (u > limit ? limit : u);
 }
 
@@ -83,9 +84,19 @@ LinearFootprint<Real> linear_footprint(Real u, int size, Wrap wrap) {
     return {wrap_index(i, size, wrap), wrap_index(i + 1, size, wrap), shifted - base};
 }
 
+/// The texel of the image and of its mirror image in turn. The coordinate becomes an integer before
+/// it is mirrored: at an exact integer that is the texel to its right.
+/// @source captures of NV2A
+constexpr int mirrored_index(int i, int size) {
+    const int period = 2 * size;
+    const int j = ((i % period) + period) % period;
+    return j < size ? j : period - 1 - j;
+}
+
 /// @source OpenGL 1.3, 3.8.7: floor(u), and the last texel at u = size
 template <class Real>
 int nearest_texel(Real u, int size, Wrap wrap) {
+    if (wrap == Wrap::mirrored_repeat) return mirrored_index(static_cast<int>(std::floor(u)), size);
     const int i = static_cast<int>(std::floor(limit_coordinate(u, size, wrap)));
     if (i == size && wrap != Wrap::clamp_to_border) return size - 1;
     return wrap_index(i, size, wrap);

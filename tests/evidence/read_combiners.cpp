@@ -72,14 +72,12 @@ std::optional<Register> read_output(const JsonObject& part, std::string_view nam
     return value ? std::optional(value->enumerator(outputs)) : std::nullopt;
 }
 
-/// The selector of MUX is the highest or the lowest bit of spare0's alpha; only the former is
-/// OpenGL's, and the only one that the state has.
+/// The selector of MUX is the highest or the lowest bit of spare0's alpha.
 void read_mux(const JsonObject& part, CombinerPortion& portion) {
     portion.mux = part.boolean("mux", false);
     const auto by_highest_bit = part.find("mux_msb");
     if (by_highest_bit && !portion.mux) by_highest_bit->fail("without 'mux'");
-    if (by_highest_bit && !by_highest_bit->boolean())
-        by_highest_bit->fail("false: the lowest bit as selector is not in CombinerPortion");
+    portion.mux_by_lowest_bit = by_highest_bit && !by_highest_bit->boolean();
 }
 
 CombinerPortion read_portion(const JsonObject& stage, std::string_view name, Half half) {

@@ -14,14 +14,21 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
-TEMPLATE_TEST_CASE("T02 a coordinate with q = 0 is 0, whatever stands above", "[hard][T02]", float,
-                   double) {
+TEMPLATE_TEST_CASE("T02 a coordinate with q = 0 is the farthest texel by its sign, and 0 for 0 / 0",
+                   "[hard][T02]", float, double) {
     using Real = TestType;
     const auto at = [](double s, double q) {
         return texel_coordinate(static_cast<Real>(s), static_cast<Real>(q), 64);
     };
-    for (const double q : {0.0, -0.0})
-        for (const double s : {0.0, -0.0, 0.5, -3.0, infinity, not_a_number}) CHECK(at(s, q) == 0);
+    for (const double s : {0.0, -0.0, not_a_number}) {
+        CHECK(at(s, 0.0) == 0);
+        CHECK(at(s, -0.0) == 0);
+    }
+    for (const double s : {0.5, infinity}) {
+        CHECK(at(s, 0.0) == farthest_texel);
+        CHECK(at(s, -0.0) == -farthest_texel);
+        CHECK(at(-s, 0.0) == -farthest_texel);
+    }
 }
 
 TEMPLATE_TEST_CASE("T06 the wrap modes differ at the rim as the text of OpenGL says", "[hard][T06]",
