@@ -109,6 +109,7 @@ Preset preset_or_error(const std::string& name) {
     if (const auto preset = preset_named(name)) return *preset;
     std::string known;
     for (const Preset p : all_presets) known += fmt::format(" {}", name_of(p));
+    known += " custom";
     throw Error(ExitCode::failure,
                 fmt::format("--preset: no preset '{}'; there are:{}", name, known));
 }

@@ -136,6 +136,12 @@ RegisterCombiners lowered(std::span<const UnitEnvironment> units, int stages) {
     };
     for (const UnitEnvironment& u : units) {
         const TexEnv env = as_combine(u.env, u.format);
+        if (env.combine_rgb == CombineFunction::dot3_rgba && env.rgb_scale != env.alpha_scale)
+            throw Error(
+                ExitCode::failure,
+                fmt::format("texture unit {}: DOT3_RGBA with rgb_scale {} and alpha_scale {} "
+                            "does not fit one combiner stage",
+                            u.unit, env.rgb_scale, env.alpha_scale));
         const std::size_t constant = result.stages.size() % 2;
         const SourceRegisters registers{register_of(CombinerRegister::texture0, u.unit),
                                         register_of(CombinerRegister::constant_color0, constant),

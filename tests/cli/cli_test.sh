@@ -69,7 +69,7 @@ expect 2 "nothing to factor" "$twofold" factor "$scenes/two-passes.json" -o "$wo
 expect 0 "nv17" "$twofold" render "$scenes/two-passes.json" -o "$work/quad.png" --preset nv17
 expect 0 "gl13" "$twofold" render "$scenes/two-passes.json" -o "$work/quad-gl13.png" --preset gl13
 expect 0 "ideal64" "$twofold" render "$scenes/two-passes.json" -o "$work/quad.exr"
-expect 2 "there are: ideal64 float32 gl13 nv17" "$twofold" render "$lobe" -o "$work/x.png" --preset nv99
+expect 2 "there are: ideal64 float32 gl13 nv2x nv17 coarse8 custom" "$twofold" render "$lobe" -o "$work/x.png" --preset nv99
 expect 2 "must end in .png or .exr" "$twofold" render "$lobe" -o "$work/x.jpg"
 expect 4 "no/such/folder" "$twofold" render "$scenes/two-passes.json" -o "$work/no/such/folder/x.png"
 

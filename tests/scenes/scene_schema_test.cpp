@@ -96,7 +96,8 @@ const std::vector<std::string> every_field{R"({
              {"source": "constant_color0", "component": "alpha", "mapping": "half_bias_normal"},
              {"source": "spare1", "component": "rgb", "mapping": "signed_negate"}],
            "ab_output": "spare0", "cd_output": "spare1", "sum_output": null,
-           "ab_dot_product": true, "cd_dot_product": false, "mux": true, "scale": "two",
+           "ab_dot_product": true, "cd_dot_product": false, "mux": true,
+           "mux_by_lowest_bit": false, "scale": "two",
            "bias_by_negative_one_half": true, "ab_blue_to_alpha": false, "cd_blue_to_alpha": true},
          "alpha": {"inputs": [
              {"source": "fog", "component": "blue", "mapping": "unsigned_invert"},
@@ -104,6 +105,7 @@ const std::vector<std::string> every_field{R"({
              {"source": "constant_color1", "component": "blue", "mapping": "half_bias_negate"},
              {"source": "texture3", "component": "alpha", "mapping": "expand_normal"}],
            "ab_output": "texture0", "cd_output": null, "sum_output": "primary_color", "mux": true,
+           "mux_by_lowest_bit": true,
            "scale": "four", "bias_by_negative_one_half": false}}],
        "final": {
          "a": {"source": "fog", "component": "alpha", "invert": true},

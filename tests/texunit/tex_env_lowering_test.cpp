@@ -74,6 +74,8 @@ TexEnv random_combine(std::uint64_t i) {
     env.combine_alpha = static_cast<CombineFunction>(r / 8 % 6);
     env.rgb_scale = 1 << (r / 64 % 3);
     env.alpha_scale = 1 << (r / 256 % 3);
+    // One stage has one scale for a dot product and what of it goes to alpha.
+    if (env.combine_rgb == CombineFunction::dot3_rgba) env.alpha_scale = env.rgb_scale;
     r /= 4096;
     for (auto& a : env.rgb) a = argument(r, false);
     for (auto& a : env.alpha) a = argument(r, true);
@@ -157,6 +159,11 @@ TEST_CASE("products of all pairs of bytes are the same in a combiner and an envi
 
 TEST_CASE("DOT3_RGBA takes a second stage unless it is last", "[lowering]") {
     CHECK(lowered(std::vector{dot3_rgba(0)}, 2).stages.size() == 1);
+    UnitEnvironment uneven = dot3_rgba(1);
+    uneven.env.alpha_scale = 2;
+    CHECK(lowering_error({uneven}, 2) ==
+          "texture unit 1: DOT3_RGBA with rgb_scale 1 and alpha_scale 2 does not fit one combiner "
+          "stage");
     CHECK(lowered(std::vector{dot3_rgba(0), dot3_rgba(1)}, 8).stages.size() == 3);
     CHECK(lowering_error({dot3_rgba(0), dot3_rgba(1)}, 2) ==
           "texture unit 1: its environment needs general combiner stage 3, but there are 2");

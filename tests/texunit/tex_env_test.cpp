@@ -90,7 +90,7 @@ Values combine_result(const TexEnv& env, const Case& in) {
         const bool rgb = k < 3 || env.combine_rgb == CombineFunction::dot3_rgba;
         const double x = function_value(rgb ? env.combine_rgb : env.combine_alpha, env,
                                         rgb ? env.rgb : env.alpha, in, k);
-        result[k] = std::clamp(x * (rgb ? env.rgb_scale : env.alpha_scale), 0.0, 1.0);
+        result[k] = std::clamp(x * (k < 3 ? env.rgb_scale : env.alpha_scale), 0.0, 1.0);
     }
     return result;
 }
@@ -237,7 +237,7 @@ TEMPLATE_TEST_CASE(
                 const double bias =
                     M::is_integer && function == CombineFunction::add_signed ? 0.5 / 255.0 : 0.0;
                 const double limit =
-                    (allowed<M>() + bias) * (rgb ? env.rgb_scale : env.alpha_scale);
+                    (allowed<M>() + bias) * (k < 3 ? env.rgb_scale : env.alpha_scale);
                 worst = std::max(worst, std::abs(got[k] - expected[k]) / limit);
             }
         }
