@@ -1,7 +1,12 @@
 #include "texunit/preset.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "texunit/presets.hpp"
 
@@ -101,4 +106,24 @@ TEST_CASE("marks have the names that reports print", "[preset]") {
     CHECK(name_of(Mark::measured) == "measured");
     CHECK(name_of(Mark::inferred) == "inferred");
     CHECK(name_of(Mark::chosen) == "chosen");
+}
+
+TEST_CASE("docs/hardware.md holds the table and the counts of every preset", "[preset]") {
+    std::ifstream file(std::string(TWOFOLD_SOURCE_DIR) + "/docs/hardware.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::vector<Preset> presets(all_presets.begin(), all_presets.end());
+    presets.push_back(Preset::custom);
+    for (const Preset preset : presets) {
+        CAPTURE(name_of(preset));
+        const auto begin =
+            text.find(fmt::format("### {} v{}\n", name_of(preset), version_of(preset)));
+        REQUIRE(begin != std::string::npos);
+        const std::string section = text.substr(begin, text.find("\n##", begin + 3) - begin);
+        for (const StageRule& r : stage_rules(preset))
+            CHECK(section.find(fmt::format("| {} | {} | {} | {} |\n", r.stage, r.rule,
+                                           name_of(r.mark), r.source)) != std::string::npos);
+        const MarkCounts n = count_marks(preset);
+        CHECK(section.find(fmt::format("{} sourced, {} inferred, {} chosen.", n.sourced, n.inferred,
+                                       n.chosen)) != std::string::npos);
+    }
 }
