@@ -247,7 +247,7 @@ TEMPLATE_TEST_CASE(
 }
 
 TEMPLATE_TEST_CASE(
-    "C02 MODULATE with RGB_SCALE is the product, scaled and clamped; alpha is not "
+    "C02 MODULATE with RGB_SCALE is the product, scaled and clamped, but alpha is not "
     "scaled",
     "[hard][C02]", Ideal64, Float32, Gl13, Nv2x, Nv17, Coarse8, Custom) {
     using M = TestType;
