@@ -5,6 +5,7 @@
 #include "raster/pass.hpp"
 #include "texunit/combiner.hpp"
 #include "texunit/sample.hpp"
+#include "texunit/tex_env.hpp"
 
 /// A pass with everything that is the same for all its fragments, converted once into the preset's
 /// formats.
@@ -17,8 +18,10 @@ struct BoundUnit {
     TextureUnitState state;
     const UploadedTexture<M>* texture;
     Color<typename M::Channel> border;
+    TexEnv env;  ///< the environment as COMBINE, for the texture's base format
     Color<typename M::Channel> env_color;
-    bool derivatives;  ///< the lookup needs the neighbouring pixels' coordinates
+    bool only_modulates;  ///< the environment is MODULATE of all four channels, unscaled
+    bool derivatives;     ///< the lookup needs the neighbouring pixels' coordinates
 };
 
 template <NumericModel M>
@@ -44,7 +47,10 @@ BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& st
             state,
             &texture,
             kept_by(m, texture.base_format, constant_color(m, state.border_color)),
+            as_combine(state.env, texture.base_format),
             constant_color(m, state.env.color),
+            state.env.mode == TexEnvMode::modulate && state.env.rgb_scale == 1 &&
+                texture.base_format == BaseFormat::rgba,
             needs_derivatives(state, texture.has_mipmaps())};
 }
 

@@ -69,6 +69,20 @@ void add_secondary_and_fog(const BoundPass<M>& pass, const Fragment<M>& f,
     }
 }
 
+/// What a unit makes of the colour it gets. The paper's products take the short way; it gives the
+/// same.
+template <NumericModel M>
+Color<typename M::Channel> environment_color(const M& m, const BoundUnit<M>& unit,
+                                             const Color<typename M::Channel>& previous,
+                                             const Color<typename M::Channel>& texel,
+                                             const Color<typename M::Channel>& primary) {
+    if (!unit.only_modulates)
+        return apply_combine(m, unit.env,
+                             CombineSources<M>{texel, unit.env_color, primary, previous});
+    return {m.modulate(texel[0], previous[0]), m.modulate(texel[1], previous[1]),
+            m.modulate(texel[2], previous[2]), m.modulate(texel[3], previous[3])};
+}
+
 template <NumericModel M>
 Color<typename M::Pixel> shade(const BoundPass<M>& pass, const Fragment<M>& f,
                                DrawCounters& counters) {
@@ -78,8 +92,8 @@ Color<typename M::Pixel> shade(const BoundPass<M>& pass, const Fragment<M>& f,
         color = combined_color(pass, f, primary, counters);
     } else {
         for (const BoundUnit<M>& unit : pass.units)
-            color = apply_tex_env(pass.m, unit.state.env, unit.env_color, unit.texture->base_format,
-                                  color, sampled_texel(pass, unit, f, counters), primary);
+            color = environment_color(pass.m, unit, color, sampled_texel(pass, unit, f, counters),
+                                      primary);
         if (pass.state.color_sum || pass.state.fog) add_secondary_and_fog(pass, f, color);
     }
     return {pass.m.finish(color[0]), pass.m.finish(color[1]), pass.m.finish(color[2]),
