@@ -102,6 +102,7 @@ holds "a failed run leaves no folder" test ! -e "$work/x"
 
 # The paper to the letter warns when its result is unusable
 expect 5 "warning" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D factorization.method=letter
+# S03
 expect 1 "undersampled" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" \
     -D materials.phong.modified_phong.exponent=100000
 expect 1 "no pixel of any object is visible" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D objects.0.scale=1e-6

@@ -84,7 +84,8 @@ TEST_CASE("a wrong name is an error that offers the nearest one") {
           "x.json: factorization.solver: unknown value 'lsqr'; did you mean 'lsmr'?");
 }
 
-TEST_CASE("a camera whose picture is not defined is an error that names the field") {
+TEST_CASE("R17 a camera whose picture is not defined is an error that names the field",
+          "[hard][R17]") {
     CHECK(object_error("camera={\"near\":2,\"far\":2}") ==
           "x.json: camera.far: 2 is not greater than 'near', which is 2");
     CHECK(object_error("camera.near=200") ==
@@ -98,7 +99,7 @@ TEST_CASE("a camera whose picture is not defined is an error that names the fiel
     CHECK(object_error("camera.up=[0,0,0]") == "x.json: camera.up: is zero");
 }
 
-TEST_CASE("a modelview without inverse is an error only where normals need it") {
+TEST_CASE("R18 a modelview without inverse is an error only where normals need it", "[hard][R18]") {
     const std::string rank_0 = "[0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,1]";
     const std::string rank_2 = "[1,2,3,0, 4,5,6,0, 7,8,9,0, 0,0,0,1]";
     const std::string decimal = "[0.1,0.2,0.3,0, 0.4,0.5,0.6,0, 0.7,0.8,0.9,0, 0,0,0,1]";
