@@ -82,6 +82,14 @@ void write_picture(const std::filesystem::path& path, const Framebuffer& picture
         write_file_atomically(path, encode_exr(float_image(picture)));
 }
 
+/// Found out before the work instead of after it.
+void require_folder_of(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw Error(ExitCode::bad_file,
+                    fmt::format("{}: there is no folder {}", file.string(), folder.string()));
+}
+
 }  // namespace
 
 ExitCode run_command(const RunOptions& options, const CommonOptions& common) {
@@ -129,6 +137,7 @@ ExitCode render_command(const RenderOptions& options, const CommonOptions& commo
     if (extension != ".png" && extension != ".exr")
         throw Error(ExitCode::failure,
                     "--output: '" + options.output + "' must end in .png or .exr");
+    require_folder_of(options.output);
     Console console(common.quiet);
     const SceneAssets assets = load_assets(scene);
     const LitScene lit =
