@@ -22,37 +22,39 @@ std::array<GLfloat, 4> floats(const Vec4& v) {
 GLint as_int(GLenum e) { return static_cast<GLint>(e); }
 
 struct Level {
-    int number, width, height;
+    int number, border;
 };
 
-void upload(GLenum target, const Level& level, const Texels& texels, BaseFormat format) {
+template <class Image>
+void upload(GLenum target, const Level& level, const Image& image, BaseFormat format) {
     const auto send = [&](GLenum type, const void* data) {
         const bool real = type == GL_FLOAT;
-        glTexImage2D(target, level.number, as_int(gl(format, real)), level.width, level.height, 0,
-                     GL_RGBA, type, data);
+        glTexImage2D(target, level.number, as_int(gl(format, real)), image.width, image.height,
+                     level.border, GL_RGBA, type, data);
     };
-    if (const auto* bytes = std::get_if<std::vector<Rgba8>>(&texels))
+    if (const auto* bytes = std::get_if<std::vector<Rgba8>>(&image.texels))
         send(GL_UNSIGNED_BYTE, bytes->data());
-    else if (const auto* real = std::get_if<std::vector<Rgba32f>>(&texels))
+    else if (const auto* real = std::get_if<std::vector<Rgba32f>>(&image.texels))
         send(GL_FLOAT, real->data());
     else
         refuse("packed texels have no row here");
 }
 
-/// The base image, then the mipmaps or the further faces.
+/// An image, then its mipmaps.
+template <class Image>
+void upload_levels(GLenum target, const Texture& texture, const Image& base) {
+    int number = 0;
+    upload(target, {number, texture.border}, base, texture.base_format);
+    for (const TextureImage& image : base.mipmaps)
+        upload(target, {++number, texture.border}, image, texture.base_format);
+}
+
 void upload_images(const Texture& texture, TextureTarget target) {
     const bool cube = target == TextureTarget::cube_map;
-    const Level base{0, texture.width, texture.height};
     GLenum face = cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : gl(target);
-    upload(face, base, texture.texels, texture.base_format);
-    if (cube) {
-        for (const TextureImage& image : texture.cube_faces)
-            upload(++face, base, image.texels, texture.base_format);
-        return;
-    }
-    int number = 0;
-    for (const TextureImage& image : texture.mipmaps)
-        upload(face, {++number, image.width, image.height}, image.texels, texture.base_format);
+    upload_levels(face, texture, texture);
+    if (!cube) return;
+    for (const TextureFace& image : texture.cube_faces) upload_levels(++face, texture, image);
 }
 
 void set_sampling(const TextureUnitState& unit, std::size_t mipmaps) {

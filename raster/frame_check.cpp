@@ -54,17 +54,41 @@ void check_image(int width, int height, const Texels& texels, std::size_t i) {
     require(stored == size, "texture {}: {} texels for {} x {}", i, stored, width, height);
 }
 
-void check_texture(const Texture& texture, std::size_t i) {
-    check_image(texture.width, texture.height, texture.texels, i);
-    for (const TextureImage& image : texture.mipmaps)
+/// @source EXT_texture_compression_s3tc for compressed images
+template <class Image>
+void check_border(int border, const Image& image, std::size_t i) {
+    require(border == 0 || border == 1, "texture {}: border {} is not 0 or 1", i, border);
+    if (border == 0) return;
+    require(image.width > 2 && image.height > 2,
+            "texture {}: {} x {} has nothing inside its border", i, image.width, image.height);
+    const auto* packed = std::get_if<PackedTexels>(&image.texels);
+    require(!packed || !is_block_compressed(packed->format),
+            "texture {}: compressed texels have no border", i);
+}
+
+/// The levels of a face or of the base: an image and its mipmaps.
+template <class Image>
+void check_levels(const Texture& texture, const Image& base, std::size_t i) {
+    const auto check = [&](const auto& image) {
         check_image(image.width, image.height, image.texels, i);
+        check_border(texture.border, image, i);
+    };
+    check(base);
+    for (const TextureImage& image : base.mipmaps) check(image);
+}
+
+void check_texture(const Texture& texture, std::size_t i) {
+    check_levels(texture, texture, i);
     require(texture.cube_faces.empty() || texture.cube_faces.size() == 5,
             "texture {}: a cube map has 5 further faces, not {}", i, texture.cube_faces.size());
-    for (const TextureImage& face : texture.cube_faces) {
-        check_image(face.width, face.height, face.texels, i);
+    for (const TextureFace& face : texture.cube_faces) {
+        check_levels(texture, face, i);
         require(face.width == texture.width && face.height == texture.width,
                 "texture {}: a face of {} x {} in a cube map of {}", i, face.width, face.height,
                 texture.width);
+        require(face.mipmaps.size() == texture.mipmaps.size(),
+                "texture {}: a face of {} mipmaps in a cube map of {}", i, face.mipmaps.size(),
+                texture.mipmaps.size());
     }
 }
 

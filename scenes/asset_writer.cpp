@@ -68,6 +68,7 @@ Json json_of(const TextureSpec& texture) {
                      : json_of(texture.images.front());
     json["base_format"] = name_in(base_format_names, texture.base_format);
     json["mipmaps"] = name_in(mipmaps_names, texture.mipmaps);
+    json["border"] = texture.border;
     return json;
 }
 

@@ -1,5 +1,7 @@
 #include "scenes/assets.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "scenes/box_mipmaps.hpp"
@@ -39,23 +41,38 @@ struct ImageLoader {
     }
 };
 
+[[noreturn]] void fail(const std::string& texture, std::string_view what) {
+    throw Error(ExitCode::failure, fmt::format("texture '{}': {}", texture, what));
+}
+
+/// An image with its levels.
+Texture load_levels(const ImageLoader& loader, const std::string& name, const TextureSpec& spec,
+                    const TextureImageSpec& which) {
+    Texture image = std::visit(loader, which);
+    if (spec.border != 0 && (image.width < 3 || image.height < 3))
+        fail(name, fmt::format("border: an image of {} x {} has nothing inside its border",
+                               image.width, image.height));
+    if (spec.mipmaps == Mipmaps::box)
+        image.mipmaps = box_mipmaps(image.width, image.height, image.texels, spec.border);
+    return image;
+}
+
 /// The further faces of a cube map, whose sizes must be those of the first.
 void add_face(Texture& texture, Texture face, const std::string& name) {
-    if (face.width != face.height || face.width != texture.width || face.height != texture.height)
-        throw Error(ExitCode::failure,
-                    "texture '" + name + "': the faces of a cube are squares of one size");
-    texture.cube_faces.push_back({face.width, face.height, std::move(face.texels)});
+    if (face.width != face.height || face.width != texture.width)
+        fail(name, "the faces of a cube are squares of one size");
+    texture.cube_faces.push_back(
+        {face.width, face.height, std::move(face.texels), std::move(face.mipmaps)});
 }
 
 Texture load_texture(const std::string& directory, const std::string& name,
                      const TextureSpec& spec) {
     const ImageLoader loader{directory};
-    Texture texture = std::visit(loader, spec.images.front());
+    Texture texture = load_levels(loader, name, spec, spec.images.front());
     texture.base_format = spec.base_format;
+    texture.border = spec.border;
     for (std::size_t i = 1; i < spec.images.size(); ++i)
-        add_face(texture, std::visit(loader, spec.images[i]), name);
-    if (spec.mipmaps == Mipmaps::box)
-        texture.mipmaps = box_mipmaps(texture.width, texture.height, texture.texels);
+        add_face(texture, load_levels(loader, name, spec, spec.images[i]), name);
     return texture;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "texunit/error.hpp"
 #include "texunit/ideal64.hpp"
@@ -14,14 +15,15 @@ namespace {
 
 using Texel = std::array<double, 4>;
 
-/// One level before it is stored.
+/// One level before it is stored; width and height are those inside its border.
 struct Level {
-    int width = 0, height = 0;
+    int width = 0, height = 0, border = 0;
     std::vector<Texel> texels;
 
     const Texel& at(int i, int j) const {
-        return texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(i)];
+        const int row = width + 2 * border;
+        return texels[static_cast<std::size_t>(j + border) * static_cast<std::size_t>(row) +
+                      static_cast<std::size_t>(i + border)];
     }
 };
 
@@ -46,15 +48,23 @@ Texel average(const Texel& a, const Texel& b, const Texel& c, const Texel& d) {
     return result;
 }
 
-/// Where one side is a single texel already, that texel stands for both.
+/// The two texels along one axis, `size` long, that texel k of the next level averages: a single
+/// one stands for both, and so does a border texel.
+std::pair<int, int> halves(int k, int size) {
+    if (k < 0) return {-1, -1};
+    if (k >= std::max(size / 2, 1)) return {size, size};
+    return size > 1 ? std::pair{2 * k, 2 * k + 1} : std::pair{0, 0};
+}
+
 Level halved(const Level& above) {
-    Level level{std::max(above.width / 2, 1), std::max(above.height / 2, 1), {}};
-    const int di = above.width > 1 ? 1 : 0, dj = above.height > 1 ? 1 : 0;
-    for (int j = 0; j < level.height; ++j)
-        for (int i = 0; i < level.width; ++i) {
-            const int i0 = i << di, j0 = j << dj;
-            level.texels.push_back(average(above.at(i0, j0), above.at(i0 + di, j0),
-                                           above.at(i0, j0 + dj), above.at(i0 + di, j0 + dj)));
+    const int border = above.border;
+    Level level{std::max(above.width / 2, 1), std::max(above.height / 2, 1), border, {}};
+    for (int j = -border; j < level.height + border; ++j)
+        for (int i = -border; i < level.width + border; ++i) {
+            const auto [i0, i1] = halves(i, above.width);
+            const auto [j0, j1] = halves(j, above.height);
+            level.texels.push_back(
+                average(above.at(i0, j0), above.at(i1, j0), above.at(i0, j1), above.at(i1, j1)));
         }
     return level;
 }
@@ -65,7 +75,8 @@ TextureImage stored(const Level& level) {
     for (const Texel& t : level.texels)
         texels.push_back({static_cast<float>(t[0]), static_cast<float>(t[1]),
                           static_cast<float>(t[2]), static_cast<float>(t[3])});
-    return {level.width, level.height, std::move(texels)};
+    const int frame = 2 * level.border;
+    return {level.width + frame, level.height + frame, std::move(texels)};
 }
 
 bool is_power_of_two(int size) {
@@ -74,12 +85,13 @@ bool is_power_of_two(int size) {
 
 }  // namespace
 
-std::vector<TextureImage> box_mipmaps(int width, int height, const Texels& texels) {
-    if (!is_power_of_two(width) || !is_power_of_two(height))
-        throw Error(
-            ExitCode::failure,
-            fmt::format("mipmaps: the sides of {} x {} are not powers of two", width, height));
-    Level level{width, height, std::visit(RealTexels{width, height}, texels)};
+std::vector<TextureImage> box_mipmaps(int width, int height, const Texels& texels, int border) {
+    const int inner_width = width - 2 * border, inner_height = height - 2 * border;
+    if (!is_power_of_two(inner_width) || !is_power_of_two(inner_height))
+        throw Error(ExitCode::failure,
+                    fmt::format("mipmaps: the sides of {} x {} are not powers of two", inner_width,
+                                inner_height));
+    Level level{inner_width, inner_height, border, std::visit(RealTexels{width, height}, texels)};
     std::vector<TextureImage> levels;
     while (level.width > 1 || level.height > 1) {
         level = halved(level);

@@ -9,8 +9,11 @@ namespace twofold {
 /// where that is one texel wide or high), computed in binary64 and stored as binary32. The averages
 /// are of the level above before it was stored, so that the last level is the mean of the image.
 ///
-/// @param texels  width x height, rows bottom up
-/// @throws Error if a side is not a power of two
-std::vector<TextureImage> box_mipmaps(int width, int height, const Texels& texels);
+/// A border has its own averages: of two texels along an edge, of a corner itself.
+///
+/// @param texels  width x height, rows bottom up, border texels included
+/// @param border  0 or 1
+/// @throws Error if a side inside the border is not a power of two
+std::vector<TextureImage> box_mipmaps(int width, int height, const Texels& texels, int border);
 
 }  // namespace twofold

@@ -1,10 +1,14 @@
 #include "scenes/frame.hpp"
 
+#include <fmt/format.h>
+
 #include <glm/matrix.hpp>
 
 #include "scenes/camera.hpp"
+#include "scenes/scene_names.hpp"
 #include "texunit/error.hpp"
 #include "texunit/paraboloid.hpp"
+#include "texunit/texture_limits.hpp"
 
 namespace twofold {
 namespace {
@@ -17,6 +21,20 @@ struct FrameBuilder {
     std::map<std::string, std::size_t> textures;
     Mat4 view, projection;
 };
+
+/// @throws Error if the preset's chip does not take textures of this size (T09)
+void require_size(const Scene& scene, const std::string& field, Preset preset, TextureTarget target,
+                  const Texture& texture) {
+    const auto limit = size_limit(preset, target, texture);
+    const int width = texture.width - 2 * texture.border;
+    const int height = texture.height - 2 * texture.border;
+    if (!limit || (limit->allows(width) && limit->allows(height))) return;
+    throw Error(
+        ExitCode::failure,
+        fmt::format("{}: {}: {} x {}: preset {} takes {}sides up to {} for a {}", scene.file, field,
+                    width, height, name_of(preset), limit->powers_of_two ? "powers of two as " : "",
+                    limit->largest, scene_io::name_in(scene_io::target_names, target)));
+}
 
 FrameBuilder start(const Scene& scene, const SceneAssets& assets) {
     const ImageSpec& image = scene.image;
@@ -99,15 +117,18 @@ void add_doubling_pass(FrameBuilder& b, const FactoredObject& object) {
     b.frame.passes.push_back({state, b.meshes.at(object.mesh)});
 }
 
-void add_explicit_pass(FrameBuilder& b, const ScenePass& pass) {
+void add_explicit_pass(FrameBuilder& b, const ScenePass& pass, Preset preset) {
     PassState state = pass.state;
     if (!pass.own_matrices) {
         state.modelview = b.view;
         state.projection = b.projection;
     }
     for (std::size_t u = 0; u < state.units.size(); ++u)
-        if (state.units[u] && !pass.textures[u].empty())
-            state.units[u]->texture = b.textures.at(pass.textures[u]);
+        if (auto& unit = state.units[u]; unit && !pass.textures[u].empty()) {
+            unit->texture = b.textures.at(pass.textures[u]);
+            require_size(b.scene, "textures." + pass.textures[u], preset, unit->target,
+                         b.frame.textures[*unit->texture]);
+        }
     b.frame.passes.push_back({state, b.meshes.at(pass.mesh)});
 }
 
@@ -130,13 +151,15 @@ Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMa
     std::map<std::string, std::size_t> factor_textures;
     for (const FactoredObject& object : scene.objects) {
         const FactoredLighting& lighting = lighting_of(materials, object.material);
+        require_size(scene, "factorization.map_size", preset, TextureTarget::texture_2d,
+                     lighting.t1.bytes[0]);
         if (!factor_textures.contains(object.material))
             factor_textures[object.material] =
                 add_factor_textures(b.frame, lighting, samples_float_textures(preset));
         add_four_passes(b, object, lighting, factor_textures[object.material]);
         for (int i = 0; i < lighting.doubling_passes; ++i) add_doubling_pass(b, object);
     }
-    for (const ScenePass& pass : scene.passes) add_explicit_pass(b, pass);
+    for (const ScenePass& pass : scene.passes) add_explicit_pass(b, pass, preset);
     return std::move(b.frame);
 }
 

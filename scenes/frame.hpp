@@ -15,7 +15,8 @@ bool samples_float_textures(Preset preset);
 
 /// The scene as passes: each object by the paper's four (front and back of t1 times front and back
 /// of t2, chosen by the alpha test), its doubling passes, then the explicit passes.
-/// @throws Error if a material that an object names was not factored
+/// @throws Error if a material that an object names was not factored, or if the preset's chip does
+/// not take a texture's size
 Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMaterials& materials,
                  Preset preset);
 

@@ -115,7 +115,8 @@ enum class Mipmaps { none, box };
 struct TextureSpec {
     std::vector<TextureImageSpec> images;  ///< one, or the faces +x, -x, +y, -y, +z, -z of a cube
     BaseFormat base_format = BaseFormat::rgba;
-    Mipmaps mipmaps = Mipmaps::none;
+    Mipmaps mipmaps = Mipmaps::none;  ///< of every face
+    int border = 0;                   ///< texels around every image that its size counts: 0 or 1
 };
 
 /// An explicit pass. `state.units[i].texture` is not used: `textures[i]` names the texture instead.
@@ -147,6 +148,7 @@ struct Scene {
     std::vector<ScenePass> passes;        ///< drawn after the objects, in order
     std::vector<Preset> presets;          ///< at least one
     CustomSettings custom;                ///< of the preset `custom`
+    std::string file{};                   ///< stands for the scene in error texts
 };
 
 }  // namespace twofold

@@ -105,6 +105,9 @@ void check_target(const Checked& checked, const std::string& path, const Texture
     if (cube != (unit.target == TextureTarget::cube_map))
         checked.fail(path + ".target",
                      fmt::format("the texture '{}' is {} cube map", name, cube ? "a" : "no"));
+    if (unit.target == TextureTarget::rectangle && found->second.border != 0)
+        checked.fail(path + ".target",
+                     fmt::format("a rectangle has no border, and the texture '{}' has", name));
 }
 
 /// @source NV_texture_rectangle

@@ -162,6 +162,7 @@ Scene parse_scene(std::string_view text, const std::string& name,
          "factorization", "materials", "meshes", "textures", "objects", "passes", "presets",
          "custom", "results"});
     Scene scene = scene_io::read_document(fields, directory);
+    scene.file = name;
     scene_io::check_scene(scene, name, fields.find("directory").has_value());
     return scene;
 }

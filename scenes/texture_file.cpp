@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scenes/scene_names.hpp"
 #include "scenes/scene_parts.hpp"
 #include "texunit/texture_format.hpp"
@@ -67,11 +69,18 @@ BaseFormat natural_base_format(const TextureImageSpec& image) {
     return texels ? base_format_of(texels->texels.format) : BaseFormat::rgba;
 }
 
+bool any_compressed(const std::vector<TextureImageSpec>& images) {
+    return std::any_of(images.begin(), images.end(), [](const TextureImageSpec& image) {
+        const auto* texels = std::get_if<InlineTexels>(&image);
+        return texels != nullptr && is_block_compressed(texels->texels.format);
+    });
+}
+
 }  // namespace
 
 TextureSpec read_texture(const JsonValue& value) {
-    const JsonObject fields(value,
-                            {"file", "checkerboard", "texels", "cube", "base_format", "mipmaps"});
+    const JsonObject fields(
+        value, {"file", "checkerboard", "texels", "cube", "base_format", "mipmaps", "border"});
     const std::string_view kind = fields.one_of({"file", "checkerboard", "texels", "cube"});
     TextureSpec texture;
     texture.images =
@@ -79,8 +88,9 @@ TextureSpec read_texture(const JsonValue& value) {
     texture.base_format = fields.enumerator("base_format", base_format_names,
                                             natural_base_format(texture.images.front()));
     texture.mipmaps = fields.enumerator("mipmaps", mipmaps_names, texture.mipmaps);
-    if (kind == "cube" && texture.mipmaps != Mipmaps::none)
-        fields.at("mipmaps").fail("a cube map has one level here");
+    texture.border = fields.integer("border", 0, 1, texture.border);
+    if (texture.border != 0 && any_compressed(texture.images))
+        fields.at("border").fail("compressed texels have no border");
     return texture;
 }
 

@@ -59,7 +59,10 @@ ProjectiveCoordinates<Real> on_face(CubeFace face, const ProjectiveCoordinates<R
     return over_face(-x, -y, z);
 }
 
-/// Lookups stay on their face: there are no texels beyond its edge to blend with.
-inline constexpr Addressing cube_addressing{Wrap::clamp_to_edge, Wrap::clamp_to_edge, true, false};
+/// Lookups stay on their face, whose edge the unit's wrap modes treat as that of any image.
+/// @source OpenGL 1.3, 3.8.6: "using the rules given in sections 3.8.7 and 3.8.8"
+constexpr Addressing cube_addressing(const TextureUnitState& unit) {
+    return {unit.wrap_s, unit.wrap_t, true, false};
+}
 
 }  // namespace twofold

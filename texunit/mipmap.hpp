@@ -42,10 +42,10 @@ inline double level_of_detail(double squared_rho, double bias) {
 }
 
 /// Whether a unit needs to know how the texture is scaled on the screen: if its two filters differ,
-/// or if there are levels to choose from. Rectangles and cube maps have one level here.
+/// or if there are levels to choose from. Rectangles have one level.
 constexpr bool needs_derivatives(const TextureUnitState& unit, bool has_mipmaps) {
-    const bool chooses_level = unit.mip_filter != MipFilter::off && has_mipmaps &&
-                               unit.target == TextureTarget::texture_2d;
+    const bool chooses_level =
+        unit.mip_filter != MipFilter::off && has_mipmaps && unit.target != TextureTarget::rectangle;
     return unit.min_filter != unit.mag_filter || chooses_level;
 }
 

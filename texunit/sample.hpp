@@ -30,10 +30,23 @@ bool undefined_coordinates(const TextureUnitState& unit, const ProjectiveCoordin
     return q == Real{0} || !(s == s) || !(t == t);
 }
 
+/// A texel whose index along at least one axis is one of the border.
+/// @source OpenGL 1.3, 3.8.7: the border colour is for images without border texels
+template <NumericModel M>
+Color<typename M::Channel> fetch_border(const UploadedImage<M>& image, int i, int j,
+                                        const Color<typename M::Channel>& border) {
+    if (image.bordered.empty()) return border;
+    const auto place = [](int k, int size) {
+        return static_cast<std::size_t>(k == border_behind ? size + 1 : k + 1);
+    };
+    const auto row = static_cast<std::size_t>(image.width) + 2;
+    return image.bordered[place(j, image.height) * row + place(i, image.width)];
+}
+
 template <NumericModel M>
 Color<typename M::Channel> fetch(const UploadedImage<M>& image, int i, int j,
                                  const Color<typename M::Channel>& border) {
-    if (i < 0 || j < 0) return border;
+    if (i < 0 || j < 0) return fetch_border(image, i, j, border);
     return image.texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
                         static_cast<std::size_t>(i)];
 }
@@ -116,7 +129,8 @@ Color<typename M::Channel> sample(const M& m, const UploadedTexture<M>& texture,
         const CubeFace face = cube_face(at.here);
         const SamplePoint<typename M::Real> on{on_face(face, at.here), on_face(face, at.right),
                                                on_face(face, at.below)};
-        return sample_levels(m, Levels(&texture.face(face), 1), cube_addressing, unit, on, border);
+        return sample_levels(m, Levels(texture.face(face)), cube_addressing(unit), unit, on,
+                             border);
     }
     const bool one_level = unit.target == TextureTarget::rectangle;
     const Levels levels(texture.levels.data(), one_level ? 1 : texture.levels.size());

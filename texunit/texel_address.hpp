@@ -59,13 +59,17 @@ Real limit_coordinate(Real u, int size, Wrap wrap) {
     return within(u, -half, n + half);
 }
 
-/// The texel index for an integer coordinate of -1..size; -1 stands for the border. Images here
-/// store no border texels: the border is the unit's border colour.
+/// Indices of the border: its texels on either side of an image, or the unit's border colour for an
+/// image without. All other indices are at least 0.
+inline constexpr int border_before = -1, border_behind = -2;
+
+/// The texel index for an integer coordinate of -1..size + 1. The last occurs with weight 0 only,
+/// where CLAMP_TO_BORDER ends.
 constexpr int wrap_index(int i, int size, Wrap wrap) {
     if (i >= 0 && i < size) return i;
     if (wrap == Wrap::repeat) return i < 0 ? i + size : i - size;
     if (wrap == Wrap::clamp_to_edge || wrap == Wrap::mirrored_repeat) return i < 0 ? 0 : size - 1;
-    return -1;
+    return i < 0 ? border_before : border_behind;
 }
 
 /// The two texels that LINEAR blends along one axis, and the fraction of the second.

@@ -18,8 +18,8 @@ struct Rgba8 {
 /// One texel of binary32 channels r, g, b, a; never premultiplied.
 using Rgba32f = std::array<float, 4>;
 
-/// Stored texel formats beside plain RGBA of 8 bits. Components are named from the high bits down, words are
-/// little-endian.
+/// Stored texel formats beside plain RGBA of 8 bits. Components are named from the high bits down,
+/// words are little-endian.
 /// @source formats of NV1x and NV2x: envytools rnndb; DXTn: EXT_texture_compression_s3tc
 enum class TextureFormat {
     argb8888,
@@ -37,7 +37,8 @@ enum class TextureFormat {
     dxt5
 };
 
-/// Texels as the format stores them; rows bottom up, DXTn blocks of 4 x 4 row by row from the bottom.
+/// Texels as the format stores them; rows bottom up, DXTn blocks of 4 x 4 row by row from the
+/// bottom.
 struct PackedTexels {
     TextureFormat format = TextureFormat::argb8888;
     std::vector<std::uint8_t> bytes;
@@ -45,12 +46,21 @@ struct PackedTexels {
 
 using Texels = std::variant<std::vector<Rgba8>, std::vector<Rgba32f>, PackedTexels>;
 
-/// One texture image. Rows are bottom up, as OpenGL's TexImage2D takes them: texel (0, 0) is at s = t = 0
-/// and texel (i, j) is stored at j * width + i.
+/// One texture image. Rows are bottom up, as OpenGL's TexImage2D takes them: texel (0, 0) is at s =
+/// t = 0 and texel (i, j) is stored at j * width + i. Sizes count border texels, as TexImage2D's
+/// do; with them texel (-1, -1) is stored first.
 struct TextureImage {
     int width = 0;
     int height = 0;
     Texels texels;
+};
+
+/// A further face of a cube map with its own levels.
+struct TextureFace {
+    int width = 0;
+    int height = 0;
+    Texels texels;
+    std::vector<TextureImage> mipmaps{};
 };
 
 /// A texture: its base image, and what else belongs to it.
@@ -59,8 +69,9 @@ struct Texture {
     int height = 0;
     Texels texels;
     BaseFormat base_format = BaseFormat::rgba;
-    std::vector<TextureImage> mipmaps{};     ///< levels 1, 2, ...; empty: the base image alone
-    std::vector<TextureImage> cube_faces{};  ///< of a cube map: -x, +y, -y, +z, -z; the base is +x
+    std::vector<TextureImage> mipmaps{};    ///< levels 1, 2, ...; empty: the base image alone
+    std::vector<TextureFace> cube_faces{};  ///< of a cube map: -x, +y, -y, +z, -z; the base is +x
+    int border = 0;  ///< texels around every image: 0 or 1. @source OpenGL 1.3, 3.8.1
 };
 
 /// A picture of any number of float channels. Rows are top down; sample (x, y, c) is stored at

@@ -3,6 +3,7 @@
 #include "scenes/assets.hpp"
 #include "scenes/frame.hpp"
 #include "tests/scenes/scene_text.hpp"
+#include "texunit/texture_limits.hpp"
 
 /// The fixed function in scene files: short forms, overrides, limits, and what reaches the frame.
 
@@ -77,6 +78,9 @@ TEST_CASE("a unit that cannot be is an error") {
     CHECK(error_of(smallest, {R"(textures.t.checkerboard={})",
                               R"(passes.0.units=[{"texture":"t","target":"cube_map"}])"}) ==
           pass + "units.0.target: the texture 't' is no cube map");
+    CHECK(error_of(smallest, {R"(textures.t={"checkerboard":{},"border":1})",
+                              R"(passes.0.units=[{"texture":"t","target":"rectangle"}])"}) ==
+          pass + "units.0.target: a rectangle has no border, and the texture 't' has");
 }
 
 TEST_CASE("R18 only directions need an inverse of the modelview", "[hard][R18]") {
@@ -163,6 +167,107 @@ TEST_CASE("box mipmaps go down to one texel, the mean of the image") {
     const Scene odd =
         parse(smallest, {R"(textures.t={"checkerboard":{"width":3},"mipmaps":"box"})"});
     CHECK_THROWS_AS(load_assets(odd), Error);
+}
+
+TEST_CASE("a border is counted by the image and halved on its own") {
+    const Scene scene = parse(
+        smallest,
+        {R"(textures.t={"texels":{"width":4,"height":3,"format":"l8","bytes":[1,2,4,8, 16,32,64,128, 255,60,20,9]},)"
+         R"("mipmaps":"box","border":1})"});
+    const Texture texture = load_assets(scene).textures.at("t");
+    CHECK(texture.border == 1);
+    REQUIRE(texture.mipmaps.size() == 1);
+    REQUIRE(texture.mipmaps[0].width == 3);
+    REQUIRE(texture.mipmaps[0].height == 3);
+    const auto& level = std::get<std::vector<Rgba32f>>(texture.mipmaps[0].texels);
+    const std::array twice{2, 6, 16, 32, 96, 256, 510, 80, 18};
+    for (std::size_t i = 0; i < twice.size(); ++i)
+        CHECK(static_cast<double>(level[i][0]) == Approx(twice[i] / 510.0));
+}
+
+TEST_CASE("a border that cannot be is an error") {
+    CHECK(error_of(smallest, {R"(textures.t={"checkerboard":{},"border":2})"}) ==
+          "x.json: textures.t.border: 2 is not in 0..1");
+    CHECK(error_of(smallest, {R"(textures.t={"texels":{"width":4,"height":4,"format":"dxt1",)"
+                              R"("bytes":[0,0,0,0,0,0,0,0]},"border":1})"}) ==
+          "x.json: textures.t.border: compressed texels have no border");
+    const Scene thin =
+        parse(smallest, {R"(textures.t={"checkerboard":{"width":2,"height":9},"border":1})"});
+    CHECK_THROWS_WITH(load_assets(thin),
+                      "texture 't': border: an image of 2 x 9 has nothing inside its border");
+}
+
+TEST_CASE("every face of a cube map has its own mipmaps") {
+    std::string faces;
+    for (int i = 0; i < 6; ++i)
+        faces += std::string(i ? "," : "") +
+                 R"({"texels":{"width":2,"height":2,"format":"l8","bytes":[)" +
+                 std::to_string(40 * i) + ",0,0,0]}}";
+    const Scene scene =
+        parse(smallest, {R"(textures.c={"cube":{"faces":[)" + faces + R"(]},"mipmaps":"box"})"});
+    const Texture cube = load_assets(scene).textures.at("c");
+    REQUIRE(cube.mipmaps.size() == 1);
+    REQUIRE(cube.cube_faces.size() == 5);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const auto& levels = cube.cube_faces[i].mipmaps;
+        REQUIRE(levels.size() == 1);
+        CHECK(static_cast<double>(std::get<std::vector<Rgba32f>>(levels[0].texels)[0][0]) ==
+              Approx(10.0 * static_cast<double>(i + 1) / 255.0));
+    }
+}
+
+namespace {
+/// The text of the error that drawing one textured quad under the preset gives, or "drawn".
+std::string size_error(const std::string& texture, const std::string& target, Preset preset) {
+    const Scene scene =
+        parse(smallest, {"textures.t=" + texture,
+                         R"(passes.0.units=[{"texture":"t","target":")" + target + "\"}]"});
+    try {
+        make_frame(scene, load_assets(scene), {}, preset);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "drawn";
+}
+
+std::string board(int width, int height, const std::string& more = "") {
+    return R"({"checkerboard":{"width":)" + std::to_string(width) + R"(,"height":)" +
+           std::to_string(height) + "}" + more + "}";
+}
+}  // namespace
+
+TEST_CASE("T09 nv17 refuses by name the texture sizes that the chip refuses", "[hard][T09]") {
+    const auto nv17 = [](const std::string& texture, const std::string& target = "texture_2d") {
+        return size_error(texture, target, Preset::nv17);
+    };
+    CHECK(nv17(board(1000, 500)) ==
+          "x.json: textures.t: 1000 x 500: preset nv17 takes powers of two as sides up to 2048 for "
+          "a texture_2d");
+    CHECK(nv17(board(2048, 1)) == "drawn");
+    CHECK(nv17(board(4096, 1)) ==
+          "x.json: textures.t: 4096 x 1: preset nv17 takes powers of two as sides up to 2048 for a "
+          "texture_2d");
+    CHECK(nv17(board(1000, 500), "rectangle") == "drawn");
+    CHECK(nv17(board(2048, 3), "rectangle") ==
+          "x.json: textures.t: 2048 x 3: preset nv17 takes sides up to 2047 for a rectangle");
+    CHECK(nv17(board(10, 4, R"(,"border":1)")) == "drawn");
+    CHECK(nv17(board(8, 8, R"(,"border":1)")).find("6 x 6") != std::string::npos);
+    for (const Preset preset : {Preset::ideal64, Preset::float32, Preset::gl13, Preset::coarse8})
+        CHECK(size_error(board(1000, 500), "texture_2d", preset) == "drawn");
+}
+
+TEST_CASE("T09 cube maps of nv17 are larger where a texel has fewer bits", "[hard][T09]") {
+    const auto limit = [](const Texels& texels) {
+        return size_limit(Preset::nv17, TextureTarget::cube_map, {1, 1, texels})->largest;
+    };
+    CHECK(limit(std::vector<Rgba8>{}) == 512);
+    for (const TextureFormat format :
+         {TextureFormat::argb8888, TextureFormat::xrgb8888, TextureFormat::la88,
+          TextureFormat::dxt3, TextureFormat::dxt5})
+        CHECK(limit(PackedTexels{format, {}}) == 512);
+    for (const TextureFormat format :
+         {TextureFormat::rgb565, TextureFormat::argb4444, TextureFormat::i8, TextureFormat::dxt1})
+        CHECK(limit(PackedTexels{format, {}}) == 1024);
 }
 
 TEST_CASE("the frame holds what the scene says of image, cube maps and four units") {

@@ -55,7 +55,6 @@ TextureUnitState cube_unit(Filter filter) {
     TextureUnitState unit;
     unit.target = TextureTarget::cube_map;
     unit.min_filter = unit.mag_filter = filter;
-    unit.wrap_s = unit.wrap_t = Wrap::repeat;  // must not matter
     return unit;
 }
 }  // namespace

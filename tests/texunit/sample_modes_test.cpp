@@ -168,6 +168,8 @@ TEST_CASE("neighbours are asked for only where they decide something", "[sample]
     unit.mip_filter = MipFilter::linear;
     CHECK(needs_derivatives(unit, true));
     CHECK_FALSE(needs_derivatives(unit, false));
+    unit.target = TextureTarget::cube_map;
+    CHECK(needs_derivatives(unit, true));
     unit.target = TextureTarget::rectangle;
     CHECK_FALSE(needs_derivatives(unit, true));
     unit.min_filter = Filter::nearest;

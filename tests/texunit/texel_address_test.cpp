@@ -41,10 +41,9 @@ TEMPLATE_TEST_CASE("T06 the wrap modes differ at the rim as the text of OpenGL s
         double fraction;
         int nearest;
     };
-    constexpr int border = -1;
+    constexpr int border = border_before, past = border_behind;
     for (const int n : {1, 2, 4, 64}) {
         const int last = n - 1, second = n > 1 ? 1 : 0;
-        const int past = border;  // the neighbour behind the last texel
         const std::vector<Row> rows{
             {Wrap::repeat, 0, last, 0, 0.5, 0},
             {Wrap::repeat, 1, 0, second, 0.0, 0},
@@ -53,7 +52,7 @@ TEMPLATE_TEST_CASE("T06 the wrap modes differ at the rim as the text of OpenGL s
             {Wrap::clamp, 0, border, 0, 0.5, 0},
             {Wrap::clamp, 1, 0, n > 1 ? 1 : past, 0.0, 0},
             {Wrap::clamp, 2, last, past, 0.0, last},
-            {Wrap::clamp, 3, last, border, 0.5, last},
+            {Wrap::clamp, 3, last, past, 0.5, last},
             {Wrap::clamp_to_edge, 0, 0, second, 0.0, 0},
             {Wrap::clamp_to_edge, 1, 0, second, 0.0, 0},
             {Wrap::clamp_to_edge, 2, last, last, 0.0, last},
@@ -61,7 +60,7 @@ TEMPLATE_TEST_CASE("T06 the wrap modes differ at the rim as the text of OpenGL s
             {Wrap::clamp_to_border, 0, border, 0, 0.5, 0},
             {Wrap::clamp_to_border, 1, 0, n > 1 ? 1 : past, 0.0, 0},
             {Wrap::clamp_to_border, 2, last, past, 0.0, last},
-            {Wrap::clamp_to_border, 3, last, border, 0.5, border},
+            {Wrap::clamp_to_border, 3, last, past, 0.5, past},
             {Wrap::mirrored_repeat, 0, 0, second, 0.0, 0},
             {Wrap::mirrored_repeat, 1, 0, second, 0.0, 0},
             {Wrap::mirrored_repeat, 2, last, last, 0.0, last},
@@ -83,11 +82,11 @@ TEMPLATE_TEST_CASE("T06 the wrap modes differ at the rim as the text of OpenGL s
 TEST_CASE("T06 only clamp_to_border goes half a texel beyond the image", "[hard][T06]") {
     for (const int n : {1, 2, 4, 64}) {
         const auto edge = linear_footprint(-0.5, n, Wrap::clamp_to_border);
-        CHECK(edge.i0 == -1);
+        CHECK(edge.i0 == border_before);
         CHECK(edge.fraction == 0.0);
         CHECK(linear_footprint(-0.5, n, Wrap::clamp).fraction == 0.5);
-        CHECK(linear_footprint(n + 0.5, n, Wrap::clamp_to_border).i0 == -1);
-        CHECK(nearest_texel(-1e-9, n, Wrap::clamp_to_border) == -1);
+        CHECK(linear_footprint(n + 0.5, n, Wrap::clamp_to_border).i0 == border_behind);
+        CHECK(nearest_texel(-1e-9, n, Wrap::clamp_to_border) == border_before);
         CHECK(nearest_texel(-1e-9, n, Wrap::clamp) == 0);
     }
 }
@@ -104,7 +103,7 @@ TEMPLATE_TEST_CASE("T09 every coordinate names a texel or the border", "[hard][T
                     const auto f = linear_footprint(u, n, wrap);
                     const int i = nearest_texel(u, n, wrap);
                     const bool has_border = wrap == Wrap::clamp || wrap == Wrap::clamp_to_border;
-                    const int least = has_border ? -1 : 0;
+                    const int least = has_border ? border_behind : 0;
                     outside += f.i0 < least || f.i0 >= n || f.i1 < least || f.i1 >= n;
                     outside += i < least || i >= n;
                     outside += !(f.fraction >= Real{0} && f.fraction <= Real{1});
