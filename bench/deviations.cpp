@@ -26,7 +26,10 @@ constexpr std::array entries{
     Entry{"softpipe", "alpha test ", std::nullopt, Bound{0, 48},
           "softpipe compares alpha as a float, and its k / 255 of a texel is not the float nearest "
           "to "
-          "k / 255, which the reference is"}};
+          "k / 255, which the reference is"},
+    Entry{"llvmpipe", "cube map, wraps", std::nullopt, Bound{99, 0},
+          "llvmpipe keeps cube map lookups on their face whatever the wrap mode; OpenGL 1.3, 3.8.6 "
+          "treats a face as any image, and so does softpipe"}};
 
 bool meets(const Entry& entry, const Driver& driver, const std::string& check, Preset preset) {
     return driver.name == entry.driver && check.starts_with(entry.check) &&

@@ -153,7 +153,7 @@ ExitCode render_command(const RenderOptions& options, const CommonOptions& commo
                     {"counters", to_json(picture.counters)}});
     else
         fmt::print("{} {} {}\n", name_of(preset), hash_of(picture), options.output);
-    return outcome(lit.materials, warnings_of(lit.materials), console);
+    return outcome(lit.materials, warnings_of(scene, lit.materials), console);
 }
 
 }  // namespace twofold

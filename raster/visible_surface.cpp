@@ -6,11 +6,15 @@
 #include "raster/coverage.hpp"
 #include "raster/frame_check.hpp"
 #include "raster/interpolate.hpp"
-#include "texunit/gl13.hpp"
-#include "texunit/ideal64.hpp"
 
 namespace twofold {
 namespace {
+
+/// Binary64 on any snap grid.
+struct SurfaceModel : Ideal64 {
+    SnapRule rule;
+    SnapRule snap() const { return rule; }
+};
 
 /// The nearest point found so far at each pixel.
 struct DepthBuffer {
@@ -29,29 +33,28 @@ struct DepthBuffer {
 
 /// The weights of the mesh's vertices travel as the texture coordinates of unit 0, so clipped
 /// pieces and perspective need no code of their own.
-template <NumericModel M>
-std::array<double, 3> vertex_weights(const WindowTriangle<M>& triangle, const EdgeValues& edge) {
-    const auto at = interpolate_coords<M>(edge, triangle, 0);
+std::array<double, 3> vertex_weights(const WindowTriangle<SurfaceModel>& triangle,
+                                     const EdgeValues& edge) {
+    const auto at = interpolate_coords<SurfaceModel>(edge, triangle, 0);
     const double sum = at.s + at.t + at.q;
     return {at.s / sum, at.t / sum, at.q / sum};
 }
 
 /// The corners of the mesh's triangles in clip space, three a triangle: each carries its own unit
 /// weight.
-template <NumericModel M>
 std::vector<ClipVertex> weighted_corners(const PassState& state, const Mesh& mesh,
                                          const std::vector<AssembledTriangle>& triangles,
                                          const Viewport& viewport) {
     static constexpr std::array<Vec4, 3> weight{Vec4{1, 0, 0, 0}, Vec4{0, 1, 0, 0},
                                                 Vec4{0, 0, 0, 1}};
-    const auto constants = vertex_constants<typename M::Vertex>(state, viewport);
+    const auto constants = vertex_constants<SurfaceModel::Vertex>(state, viewport);
     std::vector<ClipVertex> corners;
     for (const AssembledTriangle& t : triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             ClipVertex v{};
-            const auto position = words_of<typename M::Vertex>(position_of(mesh, t.vertex[k]));
-            v.clip = to_vec4<typename M::Vertex>(
-                multiply<typename M::Vertex>(constants.composite, position));
+            const auto position = words_of<SurfaceModel::Vertex>(position_of(mesh, t.vertex[k]));
+            v.clip = to_vec4<SurfaceModel::Vertex>(
+                multiply<SurfaceModel::Vertex>(constants.composite, position));
             v.coords[0] = weight[k];
             corners.push_back(v);
         }
@@ -65,9 +68,7 @@ std::vector<AssembledTriangle> counted_triangles(std::size_t n) {
     return triangles;
 }
 
-template <NumericModel M>
-void draw_pass(const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
-    const M m;
+void draw_pass(const SurfaceModel& m, const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
     const PassState state = normalized(frame.passes[pass].state);
     const Mesh& mesh = frame.meshes[frame.passes[pass].mesh];
     const WindowRules rules = window_rules(state, {frame.width, frame.height}, m.snap());
@@ -75,28 +76,31 @@ void draw_pass(const Frame& frame, std::uint32_t pass, DepthBuffer& buffer) {
     const int bits = m.snap().fraction_bits;
     DrawCounters ignored;
     for_each_window_triangle(
-        m, weighted_corners<M>(state, mesh, triangles, rules.viewport),
+        m, weighted_corners(state, mesh, triangles, rules.viewport),
         counted_triangles(triangles.size()), rules, ignored,
-        [&](std::size_t k, const WindowTriangle<M>& triangle, const TriangleSetup& setup) {
+        [&](std::size_t k, const WindowTriangle<SurfaceModel>& triangle,
+            const TriangleSetup& setup) {
             for_each_covered_pixel(
                 setup, bits, {0, 0, buffer.width, buffer.height},
                 [&](int x, int y, const EdgeValues& edge) {
                     buffer.keep_nearest(
-                        x, y, interpolate_depth<M>(edge, triangle),
-                        {pass, triangles[k].vertex, vertex_weights<M>(triangle, edge)});
+                        x, y, interpolate_depth<SurfaceModel>(edge, triangle),
+                        {pass, triangles[k].vertex, vertex_weights(triangle, edge)});
                 });
         });
 }
 
-template <NumericModel M>
-VisibleSurface surface_of(const Frame& frame) {
+}  // namespace
+
+VisibleSurface visible_surface(const Frame& frame, SnapRule snap) {
+    check_frame(frame);
     const std::size_t size =
         static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     constexpr double nothing = std::numeric_limits<double>::infinity();
     DepthBuffer buffer{frame.width, frame.height, std::vector<double>(size, nothing),
                        std::vector<SurfacePoint>(size)};
     for (std::uint32_t pass = 0; pass < frame.passes.size(); ++pass)
-        draw_pass<M>(frame, pass, buffer);
+        draw_pass({{}, snap}, frame, pass, buffer);
     VisibleSurface surface{frame.width, frame.height, std::vector<std::int32_t>(size, -1), {}};
     for (std::size_t i = 0; i < size; ++i) {
         if (buffer.depth[i] == nothing) continue;
@@ -104,13 +108,6 @@ VisibleSurface surface_of(const Frame& frame) {
         surface.points.push_back(buffer.point[i]);
     }
     return surface;
-}
-
-}  // namespace
-
-VisibleSurface visible_surface(const Frame& frame, SnapGrid grid) {
-    check_frame(frame);
-    return grid == SnapGrid::ideal64 ? surface_of<Ideal64>(frame) : surface_of<Gl13>(frame);
 }
 
 }  // namespace twofold

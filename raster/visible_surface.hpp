@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "raster/pass.hpp"
+#include "texunit/ideal64.hpp"
 
 namespace twofold {
 
@@ -23,11 +24,9 @@ struct VisibleSurface {
     std::vector<SurfacePoint> points;  ///< in pixel order
 };
 
-/// Whose snap of the vertices: ideal64's 1/4096 pixel, or the 1/16 pixel of the other presets.
-enum class SnapGrid { ideal64, sixteenths };
-
 /// The nearest surface at each pixel centre, whatever the passes' tests, textures and blending are;
 /// of equal depths the last wins, as with LEQUAL. Culling is kept.
-VisibleSurface visible_surface(const Frame& frame, SnapGrid grid = SnapGrid::ideal64);
+/// @param snap  of the vertices, whose places are computed in binary64
+VisibleSurface visible_surface(const Frame& frame, SnapRule snap = Ideal64::snap());
 
 }  // namespace twofold

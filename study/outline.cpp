@@ -1,7 +1,5 @@
 #include "study/outline.hpp"
 
-#include "raster/visible_surface.hpp"
-
 namespace twofold {
 namespace {
 
@@ -27,9 +25,8 @@ bool share_a_corner(const Frame& frame, const SurfacePoint& a, const SurfacePoin
 
 }  // namespace
 
-std::vector<bool> outline_pixels(const Frame& frame) {
-    const VisibleSurface fine = visible_surface(frame, SnapGrid::ideal64);
-    const VisibleSurface snapped = visible_surface(frame, SnapGrid::sixteenths);
+std::vector<bool> outline_pixels(const Frame& frame, const VisibleSurface& fine, SnapRule snap) {
+    const VisibleSurface snapped = visible_surface(frame, snap);
     std::vector<bool> outline(fine.point_of_pixel.size(), false);
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const SurfacePoint *a = point_at(fine, i), *b = point_at(snapped, i);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 #include <optional>
 
 #include "raster/reference.hpp"
 #include "study/outline.hpp"
 #include "study/pictures.hpp"
+#include "texunit/presets.hpp"
 
 namespace twofold {
 namespace {
@@ -50,11 +52,25 @@ void draw_preset(RunResult& run, const SceneAssets& assets, Preset preset) {
         {std::string(name_of(preset)), render_reference(frame, preset, run.scene.custom)});
 }
 
+/// The outline pixels of each preset's picture. A scene without objects has none, nor has exact,
+/// which is on ideal64's snap grid.
+std::map<std::string, std::vector<bool>> outlines_of(const Scene& scene,
+                                                     const SceneAssets& assets) {
+    std::map<std::string, std::vector<bool>> outlines;
+    if (scene.objects.empty()) return outlines;
+    const Frame frame = make_surface_frame(scene, assets);
+    const VisibleSurface fine = visible_surface(frame);
+    for (const Preset preset : scene.presets)
+        outlines[std::string(name_of(preset))] =
+            with_model(preset, scene.custom,
+                       [&](const auto& m) { return outline_pixels(frame, fine, m.snap()); });
+    return outlines;
+}
+
 /// The picture as if nothing were drawn at the pixels of the outline, so that they count as
-/// differing in coverage. Pictures on ideal64's snap grid have no such pixels between them.
+/// differing in coverage.
 ByteImage without_outline(const RunPicture& picture, const std::vector<bool>& outline) {
     ByteImage image = byte_image(picture.picture);
-    if (picture.name == "ideal64") return image;
     for (std::size_t i = 0; i < outline.size(); ++i)
         if (outline[i]) image.pixels[i].a = 0;
     return image;
@@ -62,15 +78,16 @@ ByteImage without_outline(const RunPicture& picture, const std::vector<bool>& ou
 
 /// Every picture against exact, and every other against ideal64. The exact picture knows nothing of
 /// explicit passes: a scene that has them is not compared with it.
-void compare_all(RunResult& run, const std::vector<bool>& outline) {
+void compare_all(RunResult& run, std::map<std::string, std::vector<bool>> outlines) {
     for (const char* reference : {"exact", "ideal64"}) {
         if (std::string_view(reference) == "exact" && !run.scene.passes.empty()) continue;
         for (const RunPicture& a : run.pictures)
             for (const RunPicture& b : run.pictures)
                 if (b.name == reference && a.name != "exact" && a.name != reference)
-                    run.comparisons.push_back({a.name, b.name,
-                                               difference_where_covered(without_outline(a, outline),
-                                                                        byte_image(b.picture))});
+                    run.comparisons.push_back(
+                        {a.name, b.name,
+                         difference_where_covered(without_outline(a, outlines[a.name]),
+                                                  byte_image(b.picture))});
     }
 }
 
@@ -124,6 +141,16 @@ std::vector<std::string> warnings_of(const FactoredMaterials& materials) {
     return warnings;
 }
 
+std::vector<std::string> warnings_of(const Scene& scene, const FactoredMaterials& materials) {
+    std::vector<std::string> warnings = warnings_of(materials);
+    for (std::size_t p = 0; p < scene.passes.size(); ++p)
+        for (std::size_t u = 0; u < max_units; ++u)
+            if (scene.passes[p].state.units[u] && scene.passes[p].textures[u].empty())
+                warnings.push_back(
+                    fmt::format("passes.{}.units.{}: no texture, reads as white", p, u));
+    return warnings;
+}
+
 RunResult run_scene(const Scene& scene, int threads, const StepListener& listen) {
     RunResult run{scene, {}, {}, 0, {}, {}, {}, {}, {}};
     StepClock clock(run.steps, listen);
@@ -136,7 +163,7 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
         run.averaging_cost[name] =
             averaging_cost(scene, run.lit.lights, scene.materials.at(name), threads);
     }
-    run.warnings = warnings_of(run.lit.materials);
+    run.warnings = warnings_of(scene, run.lit.materials);
     if (!scene.objects.empty()) {
         clock.begin("exact picture");
         draw_exact(run, assets, threads);
@@ -146,8 +173,7 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
         draw_preset(run, assets, preset);
     }
     clock.begin("compare");
-    compare_all(run, scene.objects.empty() ? std::vector<bool>{}
-                                           : outline_pixels(make_surface_frame(scene, assets)));
+    compare_all(run, outlines_of(scene, assets));
     note_black_channels(run);
     if (!scene.objects.empty() && !scene.passes.empty())
         run.notes.push_back(

@@ -48,6 +48,10 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
 /// What the factorisation warns of, each with its material's name.
 std::vector<std::string> warnings_of(const FactoredMaterials& materials);
 
+/// The same, and what a scene's explicit passes are warned of: units that are on without a texture,
+/// once each (T11).
+std::vector<std::string> warnings_of(const Scene& scene, const FactoredMaterials& materials);
+
 /// Notes about the environment and meshes, in words.
 std::vector<std::string> notes_about(const SceneLights& lights, const SceneAssets& assets);
 

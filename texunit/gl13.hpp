@@ -10,7 +10,7 @@ struct Gl13 : RealModel<double> {
     using Depth = std::uint32_t;
     static constexpr Preset preset = Preset::gl13;
 
-    static SnapRule snap() { return {4, 1.0 / 32.0}; }
+    static SnapRule snap() { return {8, 1.0 / 512.0}; }
 
     static Color<double> vertex_color(const Color<double>& c) {
         return {rn8(c[0]) / 255.0, rn8(c[1]) / 255.0, rn8(c[2]) / 255.0, rn8(c[3]) / 255.0};

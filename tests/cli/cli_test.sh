@@ -28,7 +28,7 @@ holds() {
     if "$@" >/dev/null 2>&1; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $text"; fi
 }
 
-small=(-q -D image.width=96 -D image.height=64 -D environment.cells=128 -D factorization.map_size=20
+small=(-q -D image.width=96 -D image.height=64 -D environment.cells=128 -D factorization.map_size=16
        -D factorization.samples=17000 -D factorization.held_out=500)
 lobe=$scenes/sphere-lobe.json
 
@@ -106,6 +106,16 @@ expect 5 "warning" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D factoriz
 expect 1 "undersampled" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" \
     -D materials.phong.modified_phong.exponent=100000
 expect 1 "no pixel of any object is visible" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D objects.0.scale=1e-6
+
+# T11: a unit without a texture, told once for all presets
+expect 1 "passes.0.units.1: no texture, reads as white" "$twofold" render "$scenes/two-passes.json" \
+    -o "$work/white.png" -D 'passes.0.units=[null,{}]'
+holds "T11 is told once" test "$("$twofold" run "$scenes/two-passes.json" -o "$work/t11" \
+    -D 'passes.0.units=[null,{}]' 2>&1 | grep -c 'reads as white')" = 1
+# T09: what the chip refuses
+expect 2 "textures.t: 1000 x 500: preset nv17" "$twofold" render "$scenes/two-passes.json" \
+    -o "$work/x.png" --preset nv17 -D 'textures.t={"checkerboard":{"width":1000,"height":500}}' \
+    -D 'passes.0.units=[{"texture":"t"}]'
 
 # Lost output is an error
 expect 4 "standard output" sh -c "'$twofold' explain --preset nv17 >/dev/full"

@@ -225,8 +225,9 @@ TEST_CASE("R05 a T-junction off the grid misses and doubles the known number of 
         }
         return sum;
     };
-    CHECK(total(Preset::ideal64) == Total{0, 0});  // its grid holds the vertex
-    for (const Preset preset : {Preset::float32, Preset::gl13, Preset::nv17}) {
+    for (const Preset preset : {Preset::ideal64, Preset::gl13})
+        CHECK(total(preset) == Total{0, 0});  // their grids hold the vertex
+    for (const Preset preset : {Preset::float32, Preset::nv17}) {
         const Total t = total(preset);
         CAPTURE(name_of(preset), t.missed, t.doubled);
         CHECK(t == Total{60, 0});

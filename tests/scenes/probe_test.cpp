@@ -164,6 +164,7 @@ TEST_CASE("probe 6: the last covered step tells the snap") {
     };
     CHECK(last(Preset::nv17) == std::array{33, 33});
     CHECK(last(Preset::ideal64) == std::array{32, 32});
+    CHECK(last(Preset::gl13) == std::array{32, 32});
     CHECK(last(Preset::coarse8) == std::array{35, 35});
     CHECK(biased("0") == std::array{35, 35});
     CHECK(biased("-0.03125") == std::array{37, 37});
