@@ -29,7 +29,7 @@ holds() {
 }
 
 small=(-q -D image.width=96 -D image.height=64 -D environment.cells=128 -D factorization.map_size=16
-       -D factorization.samples=17000 -D factorization.held_out=500)
+       -D materials.phong.modified_phong.exponent=20 -D factorization.samples=17000 -D factorization.held_out=500)
 lobe=$scenes/sphere-lobe.json
 
 # Usage
