@@ -61,6 +61,12 @@ void draw_unless_culled(const WindowTriangle<M>& triangle, CullFace cull, DrawCo
     }
 }
 
+/// Gives a vertex another's colours but leaves it its own fog.
+inline void wear_colors(ClipVertex& v, const ClipVertex& from) {
+    v.color = from.color;
+    v.secondary_color = Vec4{Vec3{from.secondary_color}, v.secondary_color.w};
+}
+
 /// The corners of a triangle; under flat shading all of them wear the provoking vertex's colours,
 /// but each its own fog.
 inline std::array<ClipVertex, 3> corners_of(const AssembledTriangle& t,
@@ -68,10 +74,7 @@ inline std::array<ClipVertex, 3> corners_of(const AssembledTriangle& t,
     std::array<ClipVertex, 3> corners{vertices[t.vertex[0]], vertices[t.vertex[1]],
                                       vertices[t.vertex[2]]};
     if (!flat) return corners;
-    for (ClipVertex& v : corners) {
-        v.color = vertices[t.provoking].color;
-        v.secondary_color = Vec4{Vec3{vertices[t.provoking].secondary_color}, v.secondary_color.w};
-    }
+    for (ClipVertex& v : corners) wear_colors(v, vertices[t.provoking]);
     return corners;
 }
 

@@ -27,16 +27,6 @@ std::array<double, 4> side_distances(const Vec4& c, const Viewport& view, Pictur
     return {c.w + x, (size.width + 1.0) * c.w - x, c.w + y, (size.height + 1.0) * c.w - y};
 }
 
-bool outside_one_side(const std::array<ClipVertex, 3>& triangle, const Viewport& view,
-                      PictureSize size) {
-    const auto a = side_distances(triangle[0].clip, view, size);
-    const auto b = side_distances(triangle[1].clip, view, size);
-    const auto c = side_distances(triangle[2].clip, view, size);
-    for (std::size_t side = 0; side < 4; ++side)
-        if (a[side] < 0.0 && b[side] < 0.0 && c[side] < 0.0) return true;
-    return false;
-}
-
 bool usable(const Vec4& c) {
     for (int k = 0; k < 4; ++k)
         if (!(c[k] >= -largest_clip_coordinate && c[k] <= largest_clip_coordinate)) return false;
@@ -110,21 +100,32 @@ bool inside_guard_band(const ClipVertex& v) {
     return bounded(v.clip.x) && bounded(v.clip.y) && usable(v.clip) && v.clip.w != 0.0;
 }
 
+Outcode outcode(const Vec4& c, const Viewport& view, PictureSize size) {
+    if (!usable(c)) return unusable_vertex;
+    Outcode code = 0;
+    const auto planes = distances(c, view);
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        if (planes[k] < 0.0) code |= static_cast<Outcode>(1u << k);
+    const auto sides = side_distances(c, view, size);
+    for (std::size_t k = 0; k < sides.size(); ++k)
+        if (sides[k] < 0.0) code |= static_cast<Outcode>(1u << (planes.size() + k));
+    return code;
+}
+
+ClipResult classify(Outcode a, Outcode b, Outcode c) {
+    const auto any = static_cast<Outcode>(a | b | c), all = static_cast<Outcode>(a & b & c);
+    if (any & unusable_vertex) return ClipResult::not_finite;
+    if (all != 0) return ClipResult::rejected;
+    return (any & outside_planes) != 0 ? ClipResult::cut : ClipResult::inside;
+}
+
 ClippedPolygon clip(const std::array<ClipVertex, 3>& triangle, const Viewport& view,
                     PictureSize size) {
     ClippedPolygon polygon{ClipResult::inside, 3, {triangle[0], triangle[1], triangle[2]}};
-    std::array<std::array<double, 7>, 3> d;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (!usable(triangle[k].clip)) return {ClipResult::not_finite, 0, {}};
-        d[k] = distances(triangle[k].clip, view);
-    }
-    if (outside_one_side(triangle, view, size)) return {ClipResult::rejected, 0, {}};
-    for (std::size_t plane = 0; plane < 7; ++plane) {
-        const int outside = (d[0][plane] < 0.0) + (d[1][plane] < 0.0) + (d[2][plane] < 0.0);
-        if (outside == 3) return {ClipResult::rejected, 0, {}};
-        if (outside > 0) polygon.result = ClipResult::cut;
-    }
+    const auto code = [&](std::size_t k) { return outcode(triangle[k].clip, view, size); };
+    polygon.result = classify(code(0), code(1), code(2));
     if (polygon.result == ClipResult::inside) return polygon;
+    if (polygon.result != ClipResult::cut) return {polygon.result, 0, {}};
     for (std::size_t plane = 0; plane < 7; ++plane) {
         if (polygon.size < 3) return {ClipResult::rejected, 0, {}};
         polygon = cut(polygon, plane, view);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "raster/vertex.hpp"
 
@@ -23,6 +24,17 @@ enum class ClipResult {
     rejected,   ///< all of it lies outside one plane, or nothing remains
     not_finite  ///< a vertex is NaN, infinite or beyond largest_clip_coordinate
 };
+
+/// What a vertex lies outside of: one bit for each of the seven clip planes, then one for each side
+/// of the window (a pixel further out).
+using Outcode = std::uint16_t;
+inline constexpr Outcode outside_planes = 0x7f;
+inline constexpr Outcode unusable_vertex = 1 << 11;  ///< not finite or too large
+
+Outcode outcode(const Vec4& clip, const Viewport& viewport, PictureSize size);
+
+/// What clip() makes of a triangle whose vertices have these codes, before it cuts.
+ClipResult classify(Outcode a, Outcode b, Outcode c);
 
 /// A convex polygon: a triangle cut by seven planes has at most ten corners.
 struct ClippedPolygon {

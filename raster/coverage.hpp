@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "raster/pass.hpp"
 #include "raster/setup.hpp"
 
 namespace twofold {
@@ -24,18 +25,32 @@ struct PixelRectangle {
     std::int64_t x0, y0, x1, y1;
 };
 
+/// The pixels of a picture that a pass may change.
+inline PixelRectangle drawable_pixels(const PassState& state, int width, int height) {
+    if (!state.scissor) return {0, 0, width, height};
+    const Scissor& s = *state.scissor;
+    return {std::max(0, s.x), std::max(0, s.y),
+            std::min<std::int64_t>(width, std::int64_t{s.x} + s.width),
+            std::min<std::int64_t>(height, std::int64_t{s.y} + s.height)};
+}
+
+/// The part of a rectangle that a triangle's bounding box meets.
+inline PixelRectangle covered_rectangle(const TriangleSetup& t, int fraction_bits, const PixelRectangle& in) {
+    return {std::max(in.x0, first_pixel(t.low.x, fraction_bits)),
+            std::max(in.y0, first_pixel(t.low.y, fraction_bits)),
+            std::min(in.x1, last_pixel(t.high.x, fraction_bits) + 1),
+            std::min(in.y1, last_pixel(t.high.y, fraction_bits) + 1)};
+}
+
 /// Calls `visit(x, y, edge values)` for every pixel of the rectangle whose centre the triangle
 /// covers, rows from the top, left to right.
 template <class Visit>
 void for_each_covered_pixel(const TriangleSetup& t, int fraction_bits, const PixelRectangle& target,
                             Visit&& visit) {
     const std::int64_t one = std::int64_t{1} << fraction_bits, half = one / 2;
-    const auto x0 = std::max(target.x0, first_pixel(t.low.x, fraction_bits));
-    const auto x1 = std::min(target.x1 - 1, last_pixel(t.high.x, fraction_bits));
-    const auto y0 = std::max(target.y0, first_pixel(t.low.y, fraction_bits));
-    const auto y1 = std::min(target.y1 - 1, last_pixel(t.high.y, fraction_bits));
-    for (std::int64_t y = y0; y <= y1; ++y) {
-        for (std::int64_t x = x0; x <= x1; ++x) {
+    const PixelRectangle box = covered_rectangle(t, fraction_bits, target);
+    for (std::int64_t y = box.y0; y < box.y1; ++y) {
+        for (std::int64_t x = box.x0; x < box.x1; ++x) {
             const WindowPoint centre{x * one + half, y * one + half};
             const std::array<std::int64_t, 3> e{t.edge[0].at(centre), t.edge[1].at(centre),
                                                 t.edge[2].at(centre)};

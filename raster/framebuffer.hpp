@@ -22,6 +22,9 @@ struct RenderTarget {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(x);
     }
+    Color<typename M::Pixel> color_at(std::size_t i) const { return color[i]; }
+    void store_color(std::size_t i, const Color<typename M::Pixel>& c) { color[i] = c; }
+    typename M::Depth& depth_at(std::size_t i) { return depth[i]; }
 };
 
 /// What happened while drawing, over all passes.

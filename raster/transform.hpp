@@ -23,6 +23,8 @@ struct VertexConstants {
     std::array<Row, 4> modelview;
     std::array<std::array<Word, 3>, 3> normal;  ///< inverse transpose of the modelview
     std::array<std::array<Row, 4>, max_units> texture;
+    /// The unit of the mesh whose own coordinates unit u starts from.
+    std::array<std::size_t, max_units> own{0, 1, 2, 3};
 };
 
 /// True when `m` has an inverse that can be used: its determinant is neither zero nor lost beside
@@ -141,7 +143,7 @@ void transform_coords(const VertexConstants<Arithmetic>& c, const PassState& sta
                       ClipVertex& out) {
     for (std::size_t u = 0; u < max_units; ++u) {
         if (!state.units[u]) continue;
-        const auto own = words_of<Arithmetic>(own_coords(mesh, u, i));
+        const auto own = words_of<Arithmetic>(own_coords(mesh, c.own[u], i));
         const auto made =
             generate<Arithmetic>(state.units[u]->texgen, own, v.object, v.eye, v.normal);
         out.coords[u] = to_vec4<Arithmetic>(multiply<Arithmetic>(c.texture[u], made));

@@ -1,0 +1,126 @@
+#pragma once
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "raster/bind.hpp"
+#include "raster/lanes.hpp"
+
+/// Textures as the vector loops read them.
+namespace twofold {
+
+/// How a model's fragments are computed on vectors.
+enum class LaneKind { none, bytes, reals };
+
+template <NumericModel M>
+constexpr LaneKind lane_kind() {
+    switch (M::preset) {
+        case Preset::nv17:
+        case Preset::nv2x:
+            return LaneKind::bytes;
+        case Preset::gl13:
+        case Preset::float32:
+        case Preset::ideal64:
+            return LaneKind::reals;
+        default:
+            return LaneKind::none;
+    }
+}
+
+/// A texel with its four channels side by side: a word of bytes, red lowest, or four numbers.
+template <NumericModel M>
+using LaneTexel = std::conditional_t<lane_kind<M>() == LaneKind::reals, Color<typename M::Real>,
+                                     std::uint32_t>;
+
+inline std::uint32_t packed_bytes(const Color<int>& c) {
+    return static_cast<std::uint32_t>(c[0]) | static_cast<std::uint32_t>(c[1]) << 8 |
+           static_cast<std::uint32_t>(c[2]) << 16 | static_cast<std::uint32_t>(c[3]) << 24;
+}
+
+inline Color<int> unpacked_bytes(std::uint32_t p) {
+    return {static_cast<int>(p & 255), static_cast<int>(p >> 8 & 255),
+            static_cast<int>(p >> 16 & 255), static_cast<int>(p >> 24)};
+}
+
+template <NumericModel M>
+LaneTexel<M> lane_texel(const Color<typename M::Channel>& c) {
+    if constexpr (lane_kind<M>() == LaneKind::reals)
+        return c;
+    else
+        return packed_bytes(c);
+}
+
+/// The texel index at a place of -1 to size + 1 along one axis; -1 is the border.
+inline int surrounding_index(int place, int size, Wrap wrap) {
+    return place > size ? -1 : wrap_index(place, size, wrap);
+}
+
+/// The image with its surroundings as one unit's wrap modes and border see them (lanes::Image).
+template <NumericModel M>
+std::vector<LaneTexel<M>> surrounded(const UploadedImage<M>& image, const BoundUnit<M>& unit) {
+    std::vector<LaneTexel<M>> texels;
+    texels.reserve(static_cast<std::size_t>(image.width + 3) *
+                   static_cast<std::size_t>(image.height + 3));
+    for (int j = -1; j <= image.height + 1; ++j)
+        for (int i = -1; i <= image.width + 1; ++i)
+            texels.push_back(lane_texel<M>(
+                fetch<M>(image, surrounding_index(i, image.width, unit.state.wrap_s),
+                         surrounding_index(j, image.height, unit.state.wrap_t), unit.border)));
+    return texels;
+}
+
+inline constexpr double largest_texel = 1152921504606846976.0;  // 2^60
+
+/// Vectors know finite texels only: min and max of a NaN are not the same everywhere.
+template <NumericModel M>
+bool moderate(const UploadedImage<M>& image) {
+    if constexpr (lane_kind<M>() == LaneKind::reals)
+        for (const auto& texel : image.texels)
+            for (const auto c : texel)
+                if (!(std::fabs(static_cast<double>(c)) <= largest_texel)) return false;
+    return true;
+}
+
+/// Whether vectors can do what a unit asks for: one level of a two-dimensional image, MODULATE, or
+/// REPLACE of all channels.
+template <NumericModel M>
+bool lanes_know(const BoundUnit<M>& unit) {
+    const TextureUnitState& s = unit.state;
+    const BaseFormat format = unit.texture->base_format;
+    const bool mirrored =
+        s.wrap_s == Wrap::mirrored_repeat || s.wrap_t == Wrap::mirrored_repeat;
+    const bool modulates = s.env.mode == TexEnvMode::modulate && format != BaseFormat::alpha;
+    const bool replaces = s.env.mode == TexEnvMode::replace && format == BaseFormat::rgba &&
+                          unit.env.rgb_scale == 1 && unit.env.alpha_scale == 1;
+    return s.target != TextureTarget::cube_map && !unit.derivatives &&
+           (s.mag_filter == Filter::linear || !mirrored) && (modulates || replaces) &&
+           moderate<M>(unit.texture->levels[0]);
+}
+
+/// Whether vectors can shade the fragments of a pass.
+template <NumericModel M>
+bool lanes_know(const BoundPass<M>& pass) {
+    if (lane_kind<M>() == LaneKind::none || pass.combiners || pass.state.color_sum ||
+        pass.state.fog || pass.units.size() > lanes::lane_units)
+        return false;
+    for (const BoundUnit<M>& unit : pass.units)
+        if (!lanes_know<M>(unit)) return false;
+    return true;
+}
+
+template <NumericModel M>
+lanes::Unit<LaneTexel<M>> lane_unit(const BoundUnit<M>& unit, const LaneTexel<M>* texels) {
+    const UploadedImage<M>& image = unit.texture->levels[0];
+    const TextureUnitState& s = unit.state;
+    return {{texels, image.width, image.height, image.width + 3},
+            s.wrap_s,
+            s.wrap_t,
+            s.mag_filter == Filter::linear,
+            s.divide_by_q,
+            s.target == TextureTarget::rectangle,
+            s.env.mode == TexEnvMode::replace,
+            unit.env.rgb_scale,
+            unit.env.alpha_scale};
+}
+
+}  // namespace twofold

@@ -1,0 +1,272 @@
+#pragma once
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "raster/fragment.hpp"
+#include "raster/lane_image.hpp"
+#include "raster/window_mesh.hpp"
+
+/// A square of the picture with everything that is drawn into it. One thread owns a tile from its
+/// clear colour to its last pass.
+namespace twofold {
+
+/// A colour as the fast pipeline's framebuffer holds it: a word of bytes, red lowest, or numbers.
+template <NumericModel M>
+using StoredColor =
+    std::conditional_t<std::is_integral_v<typename M::Pixel>, std::uint32_t, Color<typename M::Pixel>>;
+
+template <NumericModel M>
+StoredColor<M> stored_color(const Color<typename M::Pixel>& c) {
+    if constexpr (std::is_integral_v<typename M::Pixel>)
+        return packed_bytes(c);
+    else
+        return c;
+}
+
+template <NumericModel M>
+Color<typename M::Pixel> pixel_color(const StoredColor<M>& c) {
+    if constexpr (std::is_integral_v<typename M::Pixel>)
+        return unpacked_bytes(c);
+    else
+        return c;
+}
+
+/// A pass with all that its triangles share.
+template <NumericModel M>
+struct TilePass {
+    BoundPass<M> bound;
+    const WindowMesh<M>* mesh;
+    std::array<std::size_t, max_units> set_of;  ///< the mesh's coordinate set that a unit reads
+    PixelRectangle pixels;
+    bool on_lanes;
+    lanes::Shader<LaneTexel<M>> shader;
+    lanes::DepthRule depth;
+    bool plain_write;  ///< a fragment that passes replaces what was there
+};
+
+/// What a thread needs to draw a tile.
+template <NumericModel M>
+struct TileMemory {
+    using Depth = typename M::Depth;
+    using Real = typename M::Real;
+    int x0 = 0, y0 = 0;
+    ColorFormat format{};
+    int depth_bits = 24;
+    alignas(64) std::array<StoredColor<M>, lanes::tile_pixels> color;
+    alignas(64) std::array<Depth, lanes::tile_pixels + lanes::widest> depth;
+    lanes::Span<Depth> span;
+    lanes::Batch<Real, Depth> batch;
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - y0) * lanes::tile_edge +
+               static_cast<std::size_t>(x - x0);
+    }
+    Color<typename M::Pixel> color_at(std::size_t i) const { return pixel_color<M>(color[i]); }
+    void store_color(std::size_t i, const Color<typename M::Pixel>& c) {
+        color[i] = stored_color<M>(c);
+    }
+    Depth& depth_at(std::size_t i) { return depth[i]; }
+};
+
+/// Memory for as many tiles as are being drawn at once, kept from frame to frame.
+template <NumericModel M>
+class TileMemoryPool {
+  public:
+    std::unique_ptr<TileMemory<M>> take() {
+        const std::lock_guard lock(mutex_);
+        if (free_.empty()) return std::make_unique<TileMemory<M>>();
+        auto memory = std::move(free_.back());
+        free_.pop_back();
+        return memory;
+    }
+    void give_back(std::unique_ptr<TileMemory<M>> memory) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(memory));
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<TileMemory<M>>> free_;
+};
+
+/// Whether the doubled areas of a triangle are exact in binary64 all over a tile.
+inline bool exact_in_tile(const TriangleSetup& setup, const std::array<std::int64_t, 3>& e,
+                          std::int64_t one) {
+    constexpr std::int64_t limit = std::int64_t{1} << 52;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t a = setup.edge[k].a, b = setup.edge[k].b;
+        const std::int64_t reach = ((a < 0 ? -a : a) + (b < 0 ? -b : b)) * one * lanes::tile_edge;
+        if ((e[k] < 0 ? -e[k] : e[k]) + reach >= limit) return false;
+    }
+    return setup.doubled_area < limit;
+}
+
+/// One triangle of one pass on its way into one tile.
+template <NumericModel M>
+struct TileTriangle {
+    const TilePass<M>& pass;
+    const MeshTriangle& triangle;
+    TriangleSetup setup;
+    PixelRectangle pixels;  ///< of the picture
+    bool certain;           ///< the alpha test is known to pass
+};
+
+template <NumericModel M>
+const PlacedVertex<M>& corner(const TileTriangle<M>& t, std::size_t k) {
+    return t.pass.mesh->vertices[t.triangle.vertex[k]];
+}
+
+template <NumericModel M>
+const Color<typename M::Channel>& corner_color(const TileTriangle<M>& t, std::size_t k) {
+    const WindowMesh<M>& mesh = *t.pass.mesh;
+    return mesh.vertices[mesh.flat ? t.triangle.provoking : t.triangle.vertex[k]].color;
+}
+
+/// Whether vectors give this triangle's fragments the reference's bits: the pass is one they know
+/// and no coordinate can overflow, vanish or be divided by 0.
+template <NumericModel M>
+bool on_lanes(const TileTriangle<M>& t) {
+    if (!t.pass.on_lanes || !t.triangle.flags.finite) return false;
+    for (const BoundUnit<M>& unit : t.pass.bound.units) {
+        const auto bit = static_cast<unsigned>(1u << t.pass.set_of[unit.index]);
+        const VertexFlags& f = t.triangle.flags;
+        if (!(f.bounded & bit)) return false;
+        if (unit.state.divide_by_q && !((f.positive_q | f.negative_q) & bit)) return false;
+    }
+    return true;
+}
+
+/// The triangle as the vector loops take it; its first pixel is the first of `t.pixels`.
+template <NumericModel M>
+lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& tile,
+                              const std::array<std::int64_t, 3>& e, std::int64_t one) {
+    lanes::Triangle out{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const EdgeFunction& edge = t.setup.edge[k];
+        out.e[k] = static_cast<double>(e[k]);
+        out.dx[k] = static_cast<double>(edge.a * one);
+        out.dy[k] = static_cast<double>(edge.b * one);
+        out.least[k] = edge.holds_its_points ? 0.0 : 1.0;
+        out.inverse_w[k] = static_cast<double>(corner(t, k).inverse_w);
+    }
+    out.area = static_cast<double>(t.setup.doubled_area);
+    out.x0 = static_cast<int>(t.pixels.x0) - tile.x0;
+    out.y0 = static_cast<int>(t.pixels.y0) - tile.y0;
+    out.x1 = static_cast<int>(t.pixels.x1) - tile.x0;
+    out.y1 = static_cast<int>(t.pixels.y1) - tile.y0;
+    out.z0 = corner(t, 0).z;
+    out.dz1 = corner(t, 1).z - out.z0;
+    out.dz2 = corner(t, 2).z - out.z0;
+    out.equal_w =
+        out.inverse_w[0] == out.inverse_w[1] && out.inverse_w[1] == out.inverse_w[2];
+    return out;
+}
+
+template <NumericModel M>
+lanes::Corners<typename M::Real> lane_corners(const TileTriangle<M>& t) {
+    lanes::Corners<typename M::Real> out;
+    out.over_w = M::coords_over_w;
+    const auto& units = t.pass.bound.units;
+    for (std::size_t u = 0; u < units.size(); ++u) {
+        const auto& coords = t.pass.mesh->coords[t.pass.set_of[units[u].index]];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& c = coords[t.triangle.vertex[k]];
+            out.coords[u][0][k] = c[0];
+            out.coords[u][1][k] = c[1];
+            out.coords[u][2][k] = c[3];
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        if constexpr (lane_kind<M>() == LaneKind::reals)
+            out.reals[k] = corner_color(t, k);
+        else
+            out.bytes[k] = corner_color(t, k);
+    }
+    out.one_color = corner_color(t, 0) == corner_color(t, 1) &&
+                    corner_color(t, 1) == corner_color(t, 2);
+    return out;
+}
+
+/// The colour of fragment i of a batch that has been shaded.
+template <NumericModel M>
+StoredColor<M> shaded_color(const M& m, const TileMemory<M>& tile, std::size_t i) {
+    if constexpr (std::is_integral_v<typename M::Pixel>) {
+        return tile.batch.bytes[i];
+    } else {
+        const auto& c = tile.batch.reals[i];
+        return {m.finish(c[0]), m.finish(c[1]), m.finish(c[2]), m.finish(c[3])};
+    }
+}
+
+/// Shades the batch's fragments and finishes them in their order.
+/// @param certain  they have passed the alpha test, and the depth test if the rule decides early
+template <NumericModel M>
+void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
+    auto& batch = tile.batch;
+    if (batch.size == 0) return;
+    lanes::shade(pass.shader, batch);
+    if constexpr (lane_kind<M>() == LaneKind::reals && std::is_integral_v<typename M::Pixel>)
+        lanes::round_to_bytes(batch);
+    const M& m = pass.bound.m;
+    DrawCounters ignored;
+    for (std::size_t i = 0; i < batch.size; ++i) {
+        const std::size_t at = batch.at[i];
+        const StoredColor<M> color = shaded_color(m, tile, i);
+        if (certain && pass.plain_write) {
+            tile.color[at] = color;
+            continue;
+        }
+        const int x = tile.x0 + static_cast<int>(at % lanes::tile_edge);
+        const int y = tile.y0 + static_cast<int>(at / lanes::tile_edge);
+        if (certain)
+            write_color(pass.bound, pixel_color<M>(color), x, y, tile);
+        else
+            finish_fragment(
+                pass.bound, pixel_color<M>(color), x, y, [&] { return batch.z[i]; }, tile, ignored);
+    }
+    batch.size = 0;
+}
+
+/// Covers a triangle on vectors and queues its fragments. Those that replace a pixel without a
+/// question wait for more of their kind; the others are finished triangle by triangle, because they
+/// look at what is there.
+template <NumericModel M>
+void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileMemory<M>& tile) {
+    lanes::DepthRule rule = t.pass.depth;
+    rule.early = rule.computed && t.certain;
+    const bool waits = t.certain && t.pass.plain_write;
+    if (!waits) flush(t.pass, true, tile);
+    const auto corners = lane_corners(t);
+    const std::size_t units = t.pass.bound.units.size();
+    for (int row = edges.y0; row < edges.y1;) {
+        row = lanes::cover(edges, rule, tile.depth.data(), row, tile.span);
+        if constexpr (lane_kind<M>() == LaneKind::reals)
+            lanes::interpolate_reals(edges, corners, units, tile.span, tile.batch);
+        else
+            lanes::interpolate_bytes(edges, corners, units, tile.span, tile.batch);
+        if (!waits || tile.batch.size >= lanes::batch_capacity) flush(t.pass, t.certain, tile);
+    }
+}
+
+/// Draws a triangle of a pass into a tile.
+template <NumericModel M>
+void draw_triangle(const TileTriangle<M>& t, TileMemory<M>& tile) {
+    const int bits = t.pass.bound.m.snap().fraction_bits;
+    const std::int64_t one = std::int64_t{1} << bits;
+    if constexpr (lane_kind<M>() != LaneKind::none) {
+        const WindowPoint first{t.pixels.x0 * one + one / 2, t.pixels.y0 * one + one / 2};
+        const std::array<std::int64_t, 3> e{t.setup.edge[0].at(first), t.setup.edge[1].at(first),
+                                            t.setup.edge[2].at(first)};
+        if (on_lanes(t) && exact_in_tile(t.setup, e, one))
+            return draw_on_lanes(t, lane_triangle(t, tile, e, one), tile);
+        flush(t.pass, true, tile);
+    }
+    const WindowTriangle<M> triangle = window_triangle(*t.pass.mesh, t.triangle, t.pass.set_of);
+    DrawCounters ignored;
+    for_each_covered_pixel(t.setup, bits, t.pixels, [&](int x, int y, const EdgeValues& edge) {
+        draw_fragment(t.pass.bound, {x, y, triangle, t.setup, edge}, tile, ignored);
+    });
+}
+
+}  // namespace twofold
