@@ -3,6 +3,7 @@
 #include <deque>
 #include <memory>
 
+#include "raster/alpha_bounds.hpp"
 #include "raster/first_target.hpp"
 #include "raster/frame_check.hpp"
 #include "raster/tile.hpp"
@@ -53,11 +54,19 @@ struct FastState {
     UploadedTexture<M> white;
     std::vector<GroupGeometry<M>> geometry;
     std::vector<WindowMesh<M>> meshes;  ///< one per group
+    std::vector<GroupAlpha<M>> alphas;  ///< one per group
     std::deque<std::vector<LaneTexel<M>>> images;
     std::vector<TilePass<M>> passes;
     Bins bins;
     TileMemoryPool<M> pool;
     std::vector<StoredColor<M>> color;  ///< rows top down
+
+    /// What a pass's alpha test does with each triangle of its mesh; empty if nothing is known.
+    const std::vector<AlphaOutcome>& outcomes(const TilePass<M>& pass) const {
+        static const std::vector<AlphaOutcome> unknown;
+        const auto& of_group = alphas[pass.group].outcomes;
+        return pass.member < of_group.size() ? of_group[pass.member] : unknown;
+    }
 };
 
 template <NumericModel M>
@@ -88,7 +97,7 @@ bool writes_plainly(const PassState& state, ColorFormat format) {
 }
 
 template <NumericModel M>
-TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, const WindowMesh<M>& mesh,
+TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, std::size_t member,
                       const std::array<std::size_t, max_units>& set_of) {
     const Frame& frame = state.frame;
     const PassState normal = normalized(frame.passes[pass].state);
@@ -96,7 +105,9 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, const WindowMesh<M>
     const bool known = lanes_know<M>(bound);
     auto shader = known ? make_shader(state, bound) : lanes::Shader<LaneTexel<M>>{};
     return {std::move(bound),
-            &mesh,
+            &state.meshes[group],
+            group,
+            member,
             set_of,
             drawable_pixels(normal, frame.width, frame.height),
             known,
@@ -111,11 +122,15 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
     for (const Texture& t : frame.textures) state->textures.push_back(upload(m, t));
     const auto groups = group_passes(frame, options.fuse);
     state->meshes.resize(groups.size());
+    state->alphas.resize(groups.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
         state->geometry.push_back(group_geometry(m, frame, groups[g]));
-        for (std::size_t k = 0; k < groups[g].passes.size(); ++k)
-            state->passes.push_back(tile_pass(*state, groups[g].passes[k], state->meshes[g],
-                                              groups[g].set_of[k]));
+        for (std::size_t k = 0; k < groups[g].passes.size(); ++k) {
+            const auto& set_of = groups[g].set_of[k];
+            state->passes.push_back(tile_pass(*state, groups[g].passes[k], g, k, set_of));
+            if (options.fuse && lane_kind<M>() != LaneKind::none)
+                add_pass(state->alphas[g], state->passes.back().bound, set_of);
+        }
     }
     state->color.resize(static_cast<std::size_t>(frame.width) *
                         static_cast<std::size_t>(frame.height));
@@ -129,9 +144,12 @@ void for_each_entry(const FastState<M>& state, Visit&& visit) {
         const TilePass<M>& pass = state.passes[p];
         const auto& triangles = pass.mesh->triangles;
         const bool certain = !pass.bound.state.alpha_test;
+        const auto& outcomes = state.outcomes(pass);
         for (std::size_t k = 0; k < triangles.size(); ++k) {
+            const AlphaOutcome outcome = outcomes.empty() ? AlphaOutcome::open : outcomes[k];
+            if (outcome == AlphaOutcome::fails) continue;
             const BinEntry entry{static_cast<std::uint32_t>(k), static_cast<std::uint16_t>(p),
-                                 certain};
+                                 certain || outcome == AlphaOutcome::passes};
             const TileRange r = tiles_of(triangles[k], pass.pixels);
             for (int y = r.y0; y < r.y1; ++y)
                 for (int x = r.x0; x < r.x1; ++x)
@@ -234,8 +252,13 @@ void draw_tile(FastState<M>& state, std::size_t number) {
 
 template <NumericModel M>
 void draw_frame(FastState<M>& state) {
-    for (std::size_t g = 0; g < state.meshes.size(); ++g)
+    for (std::size_t g = 0; g < state.meshes.size(); ++g) {
         build_window_mesh(state.m, state.geometry[g], state.options.threads, state.meshes[g]);
+        std::vector<const BoundPass<M>*> passes;
+        for (const TilePass<M>& pass : state.passes)
+            if (pass.group == g) passes.push_back(&pass.bound);
+        find_outcomes(state.meshes[g], passes, state.alphas[g]);
+    }
     fill_bins(state);
     const auto tiles = static_cast<std::size_t>(state.bins.columns * state.bins.rows);
     parallel_for(tiles, state.options.threads, [&](std::size_t k) { draw_tile(state, k); });
