@@ -7,6 +7,7 @@
 #include "raster/first_target.hpp"
 #include "raster/frame_check.hpp"
 #include "raster/tile.hpp"
+#include "raster/vertex_stage.hpp"
 #include "texunit/presets.hpp"
 
 namespace twofold {
@@ -53,8 +54,9 @@ struct FastState {
     std::vector<UploadedTexture<M>> textures;
     UploadedTexture<M> white;
     std::vector<GroupGeometry<M>> geometry;
-    std::vector<WindowMesh<M>> meshes;  ///< one per group
-    std::vector<GroupAlpha<M>> alphas;  ///< one per group
+    std::vector<VertexColumns> columns;  ///< one per group, and so on
+    std::vector<WindowMesh<M>> meshes;
+    std::vector<GroupAlpha<M>> alphas;
     std::deque<std::vector<LaneTexel<M>>> images;
     std::vector<TilePass<M>> passes;
     Bins bins;
@@ -122,9 +124,12 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
     for (const Texture& t : frame.textures) state->textures.push_back(upload(m, t));
     const auto groups = group_passes(frame, options.fuse);
     state->meshes.resize(groups.size());
+    state->columns.resize(groups.size());
     state->alphas.resize(groups.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
         state->geometry.push_back(group_geometry(m, frame, groups[g]));
+        make_columns(m, state->geometry[g], state->columns[g]);
+        color_vertices(m, state->geometry[g], state->meshes[g]);
         for (std::size_t k = 0; k < groups[g].passes.size(); ++k) {
             const auto& set_of = groups[g].set_of[k];
             state->passes.push_back(tile_pass(*state, groups[g].passes[k], g, k, set_of));
@@ -253,7 +258,9 @@ void draw_tile(FastState<M>& state, std::size_t number) {
 template <NumericModel M>
 void draw_frame(FastState<M>& state) {
     for (std::size_t g = 0; g < state.meshes.size(); ++g) {
-        build_window_mesh(state.m, state.geometry[g], state.options.threads, state.meshes[g]);
+        const GroupGeometry<M>& geometry = state.geometry[g];
+        place_vertices(state.m, geometry, state.columns[g], state.options.threads, state.meshes[g]);
+        place_triangles(state.m, geometry, state.options.threads, state.meshes[g]);
         std::vector<const BoundPass<M>*> passes;
         for (const TilePass<M>& pass : state.passes)
             if (pass.group == g) passes.push_back(&pass.bound);

@@ -249,23 +249,16 @@ void append(WindowMesh<M>& mesh, const TriangleBlock<M>& block, std::size_t sets
     }
 }
 
-/// Runs the vertex stage and the set-up of a group, in blocks; `out` keeps its memory.
+/// Clips and sets up the triangles of a mesh whose vertices are placed, in blocks.
 template <NumericModel M>
-void build_window_mesh(const M& m, const GroupGeometry<M>& g, int threads, WindowMesh<M>& out) {
+void place_triangles(const M& m, const GroupGeometry<M>& g, int threads, WindowMesh<M>& out) {
     constexpr std::size_t block_size = 2048;
-    const std::size_t vertices = g.mesh.positions.size();
-    resize(out, vertices, g.sets);
-    out.outcodes.resize(vertices);
     out.triangles.clear();
     out.flat = g.rules.flat;
-    const auto blocks = [](std::size_t n) { return (n + block_size - 1) / block_size; };
-    parallel_for(blocks(vertices), threads, [&](std::size_t b) {
-        const std::size_t end = std::min(vertices, (b + 1) * block_size);
-        for (std::size_t i = b * block_size; i < end; ++i) place_vertex(m, g, i, out);
-    });
-    std::vector<TriangleBlock<M>> made(blocks(g.assembled.size()));
+    std::vector<TriangleBlock<M>> made((g.assembled.size() + block_size - 1) / block_size);
     parallel_for(made.size(), threads, [&](std::size_t b) {
         const std::size_t end = std::min(g.assembled.size(), (b + 1) * block_size);
+        made[b].triangles.reserve(block_size);
         for (std::size_t i = b * block_size; i < end; ++i)
             keep_triangle(m, g, out, g.assembled[i], made[b]);
     });

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "texunit/ieee_guard.hpp"
+#include "texunit/nv1x_seeds.hpp"
 
 namespace twofold::nv1x {
 namespace {
@@ -28,56 +29,6 @@ constexpr Word compose(Word sign, int exponent, std::uint64_t significand) {
     if (exponent >= 255) return sign | largest_word;
     return sign | static_cast<Word>(exponent) << 23 | (static_cast<Word>(significand) & 0x7fffffu);
 }
-
-/// floor(128 / (1 + (i + 1/2) / 64)).
-constexpr std::array<std::uint64_t, 64> make_reciprocal_seeds() {
-    std::array<std::uint64_t, 64> seeds{};
-    for (std::uint64_t i = 0; i < 64; ++i) seeds[i] = 16384 / (129 + 2 * i);
-    return seeds;
-}
-
-/// floor(128 / sqrt(1 + (i + 1/2) / 64)), then the same with the argument doubled: the largest T
-/// with T^2 x argument <= 128^2.
-constexpr std::array<std::uint64_t, 128> make_root_seeds() {
-    std::array<std::uint64_t, 128> seeds{};
-    for (std::uint64_t i = 0; i < 128; ++i) {
-        const std::uint64_t argument = (129 + 2 * (i & 63)) << (i >> 6);  // in units of 1/128
-        std::uint64_t t = 128;
-        while (t * t * argument > 16384 * 128) --t;
-        seeds[i] = t;
-    }
-    return seeds;
-}
-
-/// floor(128 / (1 + (i + 1/2) / 64) + 1/2).
-constexpr std::array<std::uint64_t, 64> make_rounded_reciprocal_seeds() {
-    std::array<std::uint64_t, 64> seeds{};
-    for (std::uint64_t i = 0; i < 64; ++i) {
-        const std::uint64_t argument = 129 + 2 * i;
-        seeds[i] = (2 * 16384 + argument) / (2 * argument);
-    }
-    return seeds;
-}
-
-/// The root seeds rounded: the largest T up to 127 with (T - 1/2)^2 x argument <= 128^2.
-constexpr std::array<std::uint64_t, 128> make_rounded_root_seeds() {
-    std::array<std::uint64_t, 128> seeds{};
-    for (std::uint64_t i = 0; i < 128; ++i) {
-        const std::uint64_t argument = (129 + 2 * (i & 63)) << (i >> 6);  // in units of 1/128
-        std::uint64_t t = 127;
-        while ((2 * t - 1) * (2 * t - 1) * argument > 4 * 16384 * 128) --t;
-        seeds[i] = t;
-    }
-    return seeds;
-}
-
-using ReciprocalSeeds = std::array<std::uint64_t, 64>;
-using RootSeeds = std::array<std::uint64_t, 128>;
-
-constexpr ReciprocalSeeds reciprocal_seeds = make_reciprocal_seeds();
-constexpr ReciprocalSeeds rounded_reciprocal_seeds = make_rounded_reciprocal_seeds();
-constexpr RootSeeds root_seeds = make_root_seeds();
-constexpr RootSeeds rounded_root_seeds = make_rounded_root_seeds();
 
 /// One term of sum(): the significand moved to the common exponent and signed.
 std::int64_t aligned(Word a, int common_exponent) {

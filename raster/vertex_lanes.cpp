@@ -1,0 +1,375 @@
+#include "raster/vertex_lanes.hpp"
+
+#include "texunit/nv1x_seeds.hpp"
+
+#include "raster/lane_targets.hpp"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/vertex_lanes.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace twofold::lanes {
+namespace HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<double>;
+using V = hn::Vec<D>;
+using U = hn::RebindToUnsigned<D>;
+using Mask = hn::Mask<D>;
+
+HWY_INLINE V set(double x) { return hn::Set(D(), x); }
+HWY_INLINE V masked(V v, std::uint64_t bits) {
+    return hn::BitCast(D(), hn::And(hn::BitCast(U(), v), hn::Set(U(), bits)));
+}
+
+/// IeeeArithmetic<double>.
+struct Binary64 {
+    static HWY_INLINE V word(V x) { return x; }
+    static HWY_INLINE V mul(V a, V b) { return hn::Mul(a, b); }
+    static HWY_INLINE V sum(V a, V b) { return hn::Add(a, b); }
+    static HWY_INLINE V sum(V a, V b, V c) { return hn::Add(hn::Add(a, b), c); }
+    static HWY_INLINE V sum(V a, V b, V c, V d) { return hn::Add(sum(a, b, c), d); }
+    static HWY_INLINE V reciprocal(V a) { return hn::Div(set(1.0), a); }
+    static HWY_INLINE V clip_reciprocal(V w) { return reciprocal(w); }
+    static HWY_INLINE V emitted_reciprocal(V rw) { return rw; }
+    static HWY_INLINE V reciprocal_sqrt(V a) { return hn::Div(set(1.0), hn::Sqrt(a)); }
+    static HWY_INLINE V reflect(V scaled, V e, bool) { return hn::Sub(scaled, e); }
+    static HWY_INLINE Mask wild(V) { return hn::FirstN(D(), 0); }
+};
+
+/// IeeeArithmetic<float>: every operation of two binary32 numbers in binary64, rounded to binary32
+/// afterwards, gives what binary32 gives (2 x 24 + 2 <= 53).
+struct Binary32 {
+    static HWY_INLINE V word(V x) {
+        const hn::Rebind<float, D> narrow;
+        return hn::PromoteTo(D(), hn::DemoteTo(narrow, x));
+    }
+    static HWY_INLINE V mul(V a, V b) { return word(hn::Mul(a, b)); }
+    static HWY_INLINE V sum(V a, V b) { return word(hn::Add(a, b)); }
+    static HWY_INLINE V sum(V a, V b, V c) { return sum(sum(a, b), c); }
+    static HWY_INLINE V sum(V a, V b, V c, V d) { return sum(sum(a, b, c), d); }
+    static HWY_INLINE V reciprocal(V a) { return word(hn::Div(set(1.0), a)); }
+    static HWY_INLINE V clip_reciprocal(V w) { return reciprocal(w); }
+    static HWY_INLINE V emitted_reciprocal(V rw) { return rw; }
+    static HWY_INLINE V reciprocal_sqrt(V a) { return reciprocal(word(hn::Sqrt(a))); }
+    static HWY_INLINE V reflect(V scaled, V e, bool) { return sum(scaled, hn::Neg(e)); }
+    static HWY_INLINE Mask wild(V) { return hn::FirstN(D(), 0); }
+};
+
+inline constexpr std::uint64_t to_24_bits = ~((std::uint64_t{1} << 29) - 1);
+inline constexpr std::uint64_t exponent_bits = std::uint64_t{0x7ff} << 52;
+inline constexpr double least_normal = 0x1p-126, largest_finite = 0x1.fffffep127;
+
+/// texunit/nv1x_arithmetic.hpp for finite words, held in binary64: products of two words are exact
+/// there, and cutting to 24 bits is a mask.
+struct Nv1x {
+    /// Cut toward zero; too small gives 0, too large the largest number.
+    static HWY_INLINE V composed(V exact) {
+        const V cut = masked(exact, to_24_bits);
+        const V held = hn::Min(hn::Max(cut, set(-largest_finite)), set(largest_finite));
+        return hn::IfThenZeroElse(hn::Lt(hn::Abs(held), set(least_normal)), held);
+    }
+    static HWY_INLINE V word(V x) { return x; }
+    static HWY_INLINE V mul(V a, V b) { return composed(hn::Mul(a, b)); }
+
+    /// 2^floor(log2 |a|) of a nonzero number, and 1 over it.
+    static HWY_INLINE V power(V a) { return masked(a, exponent_bits); }
+    static HWY_INLINE V over_power(V power) {
+        const U u;
+        return hn::BitCast(D(), hn::Sub(hn::Set(u, std::uint64_t{2046} << 52),
+                                        hn::BitCast(u, power)));
+    }
+
+    /// The four terms cut to a common unit, 2^-28 of the largest's power of two.
+    static HWY_INLINE V sum(V a, V b, V c, V d) {
+        const V most = hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Max(hn::Abs(c), hn::Abs(d)));
+        const V p = power(hn::Max(most, set(least_normal)));
+        const V units = hn::Mul(over_power(p), set(0x1p28));
+        const auto cut = [&](V x) HWY_ATTR { return hn::Trunc(hn::Mul(x, units)); };
+        const V total = hn::Add(hn::Add(cut(a), cut(b)), hn::Add(cut(c), cut(d)));
+        return composed(hn::Mul(total, hn::Mul(p, set(0x1p-28))));
+    }
+    static HWY_INLINE V sum(V a, V b, V c) { return sum(a, b, c, hn::Zero(D())); }
+    static HWY_INLINE V sum(V a, V b) { return sum(a, b, hn::Zero(D()), hn::Zero(D())); }
+
+    /// The first six bits behind the leading one.
+    static HWY_INLINE hn::Vec<hn::RebindToSigned<D>> seed_index(V a) {
+        const U u;
+        const auto bits = hn::And(hn::ShiftRight<46>(hn::BitCast(u, a)), hn::Set(u, 63));
+        return hn::BitCast(hn::RebindToSigned<D>(), bits);
+    }
+
+    /// A seed of 7 bits and two Newton steps; all integers here are below 2^53.
+    static HWY_INLINE V reciprocal_from(const double* seeds, V a) {
+        const V over = over_power(power(a));
+        const V m = hn::Mul(hn::Mul(hn::Abs(a), over), set(0x1p23));
+        const V t = hn::GatherIndex(D(), seeds, seed_index(a));
+        const V y1 = hn::Floor(
+            hn::Mul(hn::Mul(hn::Sub(set(0x1p31), hn::Mul(t, m)), t), set(0x1p-24)));
+        const V y2 = hn::Floor(
+            hn::Mul(hn::Mul(hn::Sub(set(0x1p37), hn::Mul(y1, m)), y1), set(0x1p-25)));
+        const Mask whole = hn::Eq(m, set(0x1p23));
+        const V significand = hn::IfThenElse(whole, set(0x1p24), y2);
+        return composed(hn::CopySign(hn::Mul(hn::Mul(significand, set(0x1p-24)), over), a));
+    }
+    static HWY_INLINE V reciprocal(V a) { return reciprocal_from(nv1x::reciprocal_seeds_f64.data(), a); }
+
+    /// The exponent held within 2^-64 and 2^64, the fraction kept; 1/0 is 2^64.
+    static HWY_INLINE V clip_reciprocal(V w) {
+        const Mask zero = hn::Eq(w, hn::Zero(D()));
+        const V r = reciprocal(hn::IfThenElse(zero, set(1.0), w));
+        const V magnitude = hn::Abs(r);
+        const V fraction = hn::Or(masked(magnitude, ~exponent_bits), set(1.0));
+        V held = hn::IfThenElse(hn::Lt(magnitude, set(0x1p-64)), hn::Mul(fraction, set(0x1p-64)),
+                                magnitude);
+        held = hn::IfThenElse(hn::Ge(magnitude, set(0x1p65)), hn::Mul(fraction, set(0x1p64)), held);
+        return hn::CopySign(hn::IfThenElse(zero, set(0x1p64), held), w);
+    }
+    static HWY_INLINE V emitted_reciprocal(V rw) {
+        return masked(rw, ~((std::uint64_t{1} << 37) - 1));
+    }
+
+    static HWY_INLINE V reciprocal_sqrt_from(const double* seeds, V a) {
+        const U u;
+        const V p = power(a);
+        // 2^(e - 127) with e even is an odd power: the argument is doubled and the power halved.
+        const auto biased = hn::ShiftRight<52>(hn::BitCast(u, p));
+        const auto odd_power = hn::BitCast(
+            D(), hn::Sub(hn::Zero(u), hn::And(hn::Not(biased), hn::Set(u, 1))));
+        const V m = hn::Mul(hn::Mul(hn::Mul(hn::Abs(a), over_power(p)), set(0x1p23)),
+                            hn::IfVecThenElse(odd_power, set(2.0), set(1.0)));
+        const auto row = hn::And(hn::BitCast(u, odd_power), hn::Set(u, 64));
+        const auto index = hn::Add(seed_index(a), hn::BitCast(hn::RebindToSigned<D>(), row));
+        const V t = hn::GatherIndex(D(), seeds, index);
+        const V y1 = hn::Floor(hn::Mul(
+            hn::Mul(hn::Sub(set(0x3p37), hn::Mul(hn::Mul(t, t), m)), t), set(0x1p-32)));
+        // The last product has 64 bits: in two parts, each exact.
+        const V rest = hn::Sub(set(0x3p49), hn::Mul(hn::Mul(y1, y1), m));
+        const V high = hn::Floor(hn::Mul(rest, set(0x1p-26)));
+        const V low = hn::Sub(rest, hn::Mul(high, set(0x1p26)));
+        const V y2 = hn::Floor(hn::Mul(
+            hn::Add(hn::Mul(high, y1), hn::Floor(hn::Mul(hn::Mul(low, y1), set(0x1p-26)))),
+            set(0x1p-13)));
+        // compose(0, 126 - half, y2) with half = floor((e - 127) / 2).
+        const auto half = hn::ShiftRight<1>(hn::Add(biased, hn::Set(u, 1)));  // floor((E-1023)/2)+512
+        const V over_root = hn::BitCast(
+            D(), hn::ShiftLeft<52>(hn::Sub(hn::Set(u, 1023 + 512), half)));
+        return composed(hn::Mul(hn::Mul(y2, set(0x1p-24)), over_root));
+    }
+    static HWY_INLINE V reciprocal_sqrt(V a) {
+        return reciprocal_sqrt_from(nv1x::root_seeds_f64.data(), a);
+    }
+    static HWY_INLINE V reflect(V scaled, V e, bool is_z) {
+        if (!is_z) return sum(scaled, hn::Neg(e));
+        return sum(sum(sum(scaled, set(1.0)), hn::Neg(e)), set(-1.0));
+    }
+    /// What reciprocals and roots have an infinity for.
+    static HWY_INLINE Mask wild(V a) { return hn::Eq(a, hn::Zero(D())); }
+};
+
+/// The reciprocals of NV2x.
+struct Nv2x : Nv1x {
+    static HWY_INLINE V reciprocal(V a) {
+        return reciprocal_from(nv1x::rounded_reciprocal_seeds_f64.data(), a);
+    }
+    /// An exponent that is held loses its fraction.
+    static HWY_INLINE V clip_reciprocal(V w) {
+        const Mask zero = hn::Eq(w, hn::Zero(D()));
+        const V r = hn::Abs(reciprocal(hn::IfThenElse(zero, set(1.0), w)));
+        V held = hn::IfThenElse(hn::Lt(r, set(0x1p-64)), set(0x1p-64), r);
+        held = hn::IfThenElse(hn::Or(zero, hn::Ge(r, set(0x1p65))), set(0x1p64), held);
+        return hn::CopySign(held, w);
+    }
+    static HWY_INLINE V emitted_reciprocal(V rw) { return rw; }
+    static HWY_INLINE V reciprocal_sqrt(V a) {
+        return reciprocal_sqrt_from(nv1x::rounded_root_seeds_f64.data(), a);
+    }
+};
+
+struct Four {
+    V x, y, z, w;
+};
+struct Three {
+    V x, y, z;
+};
+
+template <class A>
+HWY_NOINLINE V dot4(const Row& row, const Four& v) {
+    return A::sum(A::mul(set(row[0]), v.x), A::mul(set(row[1]), v.y), A::mul(set(row[2]), v.z),
+                  A::mul(set(row[3]), v.w));
+}
+template <class A>
+HWY_NOINLINE Four multiply(const Rows& m, const Four& v) {
+    return {dot4<A>(m[0], v), dot4<A>(m[1], v), dot4<A>(m[2], v), dot4<A>(m[3], v)};
+}
+template <class A>
+HWY_NOINLINE V dot3(const Three& a, const Three& b) {
+    return A::sum(A::mul(a.x, b.x), A::mul(a.y, b.y), A::mul(a.z, b.z));
+}
+template <class A>
+HWY_INLINE V dot3(const Row& row, const Three& v) {
+    return dot3<A>(Three{set(row[0]), set(row[1]), set(row[2])}, v);
+}
+template <class A>
+HWY_INLINE Three scaled(const Three& v, V by) {
+    return {A::mul(v.x, by), A::mul(v.y, by), A::mul(v.z, by)};
+}
+
+HWY_INLINE V column(const double* p, std::size_t i) { return hn::LoadU(D(), p + i); }
+
+/// unit() of texgen.hpp; `wild` collects lengths of 0.
+template <class A>
+HWY_NOINLINE Three unit(const Three& v, Mask& wild) {
+    const V square = dot3<A>(v, v);
+    wild = hn::Or(wild, A::wild(square));
+    return scaled<A>(v, A::reciprocal_sqrt(square));
+}
+
+template <class A>
+HWY_INLINE Three eye_normal(const VertexRule& rule, const VertexInput& in, std::size_t i,
+                            Mask& wild) {
+    const Three n{column(in.normal[0], i), column(in.normal[1], i), column(in.normal[2], i)};
+    const Three eye{dot3<A>(rule.normal[0], n), dot3<A>(rule.normal[1], n),
+                    dot3<A>(rule.normal[2], n)};
+    return rule.normalize ? unit<A>(eye, wild) : eye;
+}
+
+/// reflection_map() of texgen.hpp.
+template <class A>
+HWY_INLINE Three reflected(const Four& eye, const Three& normal, Mask& wild) {
+    wild = hn::Or(wild, A::wild(eye.w));
+    const V over_w = hn::Neg(A::reciprocal(eye.w));
+    const Three to_eye = unit<A>(scaled<A>({eye.x, eye.y, eye.z}, over_w), wild);
+    const Three twice{A::sum(normal.x, normal.x), A::sum(normal.y, normal.y),
+                      A::sum(normal.z, normal.z)};
+    const Three n = scaled<A>(normal, dot3<A>(to_eye, twice));
+    return {A::reflect(n.x, to_eye.x, false), A::reflect(n.y, to_eye.y, false),
+            A::reflect(n.z, to_eye.z, true)};
+}
+
+/// What texture coordinates are generated from.
+struct Sources {
+    Four object, eye;
+    Three normal, reflection;
+};
+
+template <class A>
+HWY_INLINE V generated(const SetRule& rule, std::size_t k, const Sources& from, const Four& own) {
+    const auto component = [&](const Three& v, V fourth) HWY_ATTR {
+        return k == 0 ? v.x : (k == 1 ? v.y : (k == 2 ? v.z : fourth));
+    };
+    switch (rule.mode[k]) {
+        case TexGen::object_linear:
+            return dot4<A>(rule.plane[k], from.object);
+        case TexGen::eye_linear:
+            return dot4<A>(rule.plane[k], from.eye);
+        case TexGen::normal_map:
+            return component(from.normal, own.w);
+        case TexGen::reflection_map:
+            return component(from.reflection, own.w);
+        default:
+            break;
+    }
+    return component({own.x, own.y, own.z}, own.w);
+}
+
+template <class A>
+HWY_NOINLINE Four coordinates(const SetRule& rule, const Sources& from, const Four& own) {
+    return multiply<A>(rule.matrix, {generated<A>(rule, 0, from, own),
+                                     generated<A>(rule, 1, from, own),
+                                     generated<A>(rule, 2, from, own),
+                                     generated<A>(rule, 3, from, own)});
+}
+
+template <class A>
+HWY_INLINE void project(const VertexRule& rule, const Four& clip, V rw, std::size_t i,
+                        VertexOutput& out) {
+    const D d;
+    const hn::Rebind<std::int32_t, D> di;
+    const auto window = [&](V c, std::size_t k) HWY_ATTR {
+        return A::sum(A::mul(c, rw), set(rule.offset[k]));
+    };
+    const V snap = set(rule.snap);
+    hn::Store(hn::DemoteTo(di, hn::Mul(window(clip.x, 0), snap)), di, out.x.data() + i);
+    hn::Store(hn::DemoteTo(di, hn::Mul(window(clip.y, 1), snap)), di, out.y.data() + i);
+    hn::Store(window(clip.z, 2), d, out.z.data() + i);
+    hn::Store(rule.perspective ? A::emitted_reciprocal(rw) : set(1.0), d, out.inverse_w.data() + i);
+    hn::Store(clip.x, d, out.clip[0].data() + i);
+    hn::Store(clip.y, d, out.clip[1].data() + i);
+    hn::Store(clip.z, d, out.clip[2].data() + i);
+    hn::Store(clip.w, d, out.clip[3].data() + i);
+}
+
+/// One vector of vertices: `from` in the mesh, `i` in the block.
+template <class A>
+HWY_INLINE void transform_vector(const VertexRule& rule, const VertexInput& in, std::size_t from,
+                                 std::size_t i, VertexOutput& out) {
+    const D d;
+    Mask wild = hn::FirstN(d, 0);
+    Sources s{};
+    s.object = {column(in.position[0], from), column(in.position[1], from),
+                column(in.position[2], from), column(in.position[3], from)};
+    if (rule.needs_eye) s.eye = multiply<A>(rule.modelview, s.object);
+    if (rule.needs_normal) s.normal = eye_normal<A>(rule, in, from, wild);
+    if (rule.needs_reflection) s.reflection = reflected<A>(s.eye, s.normal, wild);
+    const Four clip = multiply<A>(rule.composite, s.object);
+    const V rw = A::clip_reciprocal(clip.w);
+    project<A>(rule, clip, rw, i, out);
+    for (std::size_t k = 0; k < rule.sets; ++k) {
+        const auto& own = in.own[k];
+        const Four c = coordinates<A>(rule.set[k], s,
+                                      {column(own[0], from), column(own[1], from),
+                                       column(own[2], from), column(own[3], from)});
+        const auto store = [&](V v, std::size_t n) HWY_ATTR {
+            hn::Store(rule.over_w ? A::mul(v, rw) : v, d, out.coords[k][n].data() + i);
+        };
+        store(c.x, 0);
+        store(c.y, 1);
+        store(c.z, 2);
+        store(c.w, 3);
+    }
+    hn::Store(hn::IfThenElseZero(wild, set(1.0)), d, out.wild.data() + i);
+}
+
+template <class A>
+void transform_vectors(const VertexRule& rule, const VertexInput& in, std::size_t first,
+                       std::size_t count, VertexOutput& out) {
+    for (std::size_t i = 0; i < count; i += hn::Lanes(D()))
+        transform_vector<A>(rule, in, first + i, i, out);
+}
+
+void transform_any(VertexArithmetic arithmetic, const VertexRule& rule, const VertexInput& in,
+                   std::size_t first, std::size_t count, VertexOutput& out) {
+    switch (arithmetic) {
+        case VertexArithmetic::binary64:
+            return transform_vectors<Binary64>(rule, in, first, count, out);
+        case VertexArithmetic::binary32:
+            return transform_vectors<Binary32>(rule, in, first, count, out);
+        case VertexArithmetic::nv1x:
+            return transform_vectors<Nv1x>(rule, in, first, count, out);
+        case VertexArithmetic::nv2x:
+            break;
+    }
+    transform_vectors<Nv2x>(rule, in, first, count, out);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace twofold::lanes
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace twofold::lanes {
+
+HWY_EXPORT(transform_any);
+
+void transform_block(VertexArithmetic arithmetic, const VertexRule& rule, const VertexInput& in,
+                     std::size_t first, std::size_t count, VertexOutput& out) {
+    HWY_DYNAMIC_DISPATCH(transform_any)(arithmetic, rule, in, first, count, out);
+}
+
+}  // namespace twofold::lanes
+#endif

@@ -1,0 +1,62 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/pass.hpp"
+
+/// The vertex stage on vectors: what transform.hpp, texgen.hpp and project.hpp compute, for blocks of
+/// vertices, in the three arithmetics that presets use. Numbers travel as binary64, which holds every
+/// word of the narrower formats.
+namespace twofold::lanes {
+
+enum class VertexArithmetic { binary64, binary32, nv1x, nv2x };
+
+inline constexpr std::size_t vertex_block = 256;
+
+using Row = std::array<double, 4>;
+using Rows = std::array<Row, 4>;
+
+/// How a set's coordinates come about.
+struct SetRule {
+    std::array<TexGen, 4> mode;
+    Rows plane;  ///< of the linear modes
+    Rows matrix;
+};
+
+struct VertexRule {
+    Rows composite, modelview;
+    std::array<Row, 3> normal;  ///< the fourth of each is unused
+    bool needs_eye = false, needs_normal = false, needs_reflection = false, normalize = false;
+    std::size_t sets = 0;
+    std::array<SetRule, max_units> set;
+    std::array<double, 3> offset;  ///< of the viewport
+    double snap;                   ///< snap units in a pixel
+    bool perspective = true, over_w = true;
+};
+
+/// A mesh's vertices as the arithmetic takes them, one array per component.
+struct VertexInput {
+    std::array<const double*, 4> position;
+    std::array<const double*, 3> normal;
+    std::array<std::array<const double*, 4>, max_units> own;  ///< coordinates of each set
+};
+
+template <class T>
+using VertexColumn = std::array<T, vertex_block>;
+
+struct VertexOutput {
+    alignas(64) std::array<VertexColumn<double>, 4> clip;
+    alignas(64) VertexColumn<std::int32_t> x, y;  ///< in snap units
+    alignas(64) VertexColumn<double> z, inverse_w;
+    alignas(64) std::array<std::array<VertexColumn<double>, 4>, max_units> coords;
+    /// Vertices for which the chip's arithmetic meets an infinity; the rest of theirs is void.
+    alignas(64) VertexColumn<double> wild;  ///< not 0
+};
+
+/// Vertices first to first + count - 1, at most vertex_block. Columns of the input are read up to a
+/// full vector further.
+void transform_block(VertexArithmetic arithmetic, const VertexRule& rule, const VertexInput& in,
+                     std::size_t first, std::size_t count, VertexOutput& out);
+
+}  // namespace twofold::lanes
