@@ -16,8 +16,8 @@ namespace twofold {
 /// What is known of the alpha that a unit's lookups give all over a triangle.
 enum class AlphaKnown : std::uint8_t { nothing, zero, one };
 
-/// A unit's lookup as far as its alpha goes: the set of coordinates, and how many texels of alpha 0
-/// and of alpha 1 lie below and left of each place of the image.
+/// A unit's lookup as far as its alpha goes: the set of coordinates, and a grid of cells of the image
+/// with how many below and left of each place hold alpha 0 only, or alpha 1 only.
 struct AlphaLookup {
     struct Count {
         std::uint32_t zeros, ones;
@@ -26,10 +26,15 @@ struct AlphaLookup {
     std::size_t set;
     int width, height;
     bool in_texels, divide_by_q;
-    std::vector<Count> count;  ///< (width + 1) x (height + 1), rows bottom up
+    int cell;           ///< texels a side
+    int columns, rows;  ///< cells
+    std::vector<Count> count;  ///< (columns + 1) x (rows + 1), rows bottom up
 
     bool operator==(const AlphaLookup&) const = default;
 };
+
+/// Cells a side at most: the grids of four textures stay in the nearest caches.
+inline constexpr int most_cells = 128;
 
 /// Lookups whose alpha can be bounded: one level, clamped to its edge, combined by MODULATE of alpha
 /// without a scale.
@@ -41,21 +46,38 @@ bool alpha_is_bounded(const BoundUnit<M>& unit) {
            s.env.mode == TexEnvMode::modulate && unit.env.alpha_scale == 1;
 }
 
+/// What the alphas of one cell are.
+template <NumericModel M>
+AlphaKnown cell_alpha(const M& m, const UploadedImage<M>& image, int cell, int column, int row) {
+    bool zero = true, one = true;
+    for (int j = row * cell; j < std::min(image.height, (row + 1) * cell); ++j)
+        for (int i = column * cell; i < std::min(image.width, (column + 1) * cell); ++i) {
+            const auto alpha = image.texels[static_cast<std::size_t>(j * image.width + i)][3];
+            zero = zero && alpha == typename M::Channel{0};
+            one = one && alpha == m.one();
+        }
+    return zero ? AlphaKnown::zero : (one ? AlphaKnown::one : AlphaKnown::nothing);
+}
+
 template <NumericModel M>
 AlphaLookup alpha_lookup(const M& m, const BoundUnit<M>& unit, std::size_t set) {
     const UploadedImage<M>& image = unit.texture->levels[0];
+    const int cell = (std::max(image.width, image.height) + most_cells - 1) / most_cells;
+    const int columns = (image.width + cell - 1) / cell, rows = (image.height + cell - 1) / cell;
     AlphaLookup lookup{set, image.width, image.height,
-                       unit.state.target == TextureTarget::rectangle, unit.state.divide_by_q, {}};
-    const auto row = static_cast<std::size_t>(image.width) + 1;
-    lookup.count.resize(row * (static_cast<std::size_t>(image.height) + 1));
-    for (std::size_t j = 1; j <= static_cast<std::size_t>(image.height); ++j) {
+                       unit.state.target == TextureTarget::rectangle, unit.state.divide_by_q,
+                       cell, columns, rows, {}};
+    const auto stride = static_cast<std::size_t>(columns) + 1;
+    lookup.count.resize(stride * (static_cast<std::size_t>(rows) + 1));
+    for (int j = 0; j < rows; ++j) {
         AlphaLookup::Count left{0, 0};
-        for (std::size_t i = 1; i < row; ++i) {
-            const auto alpha = image.texels[(j - 1) * (row - 1) + i - 1][3];
-            left.zeros += alpha == typename M::Channel{0};
-            left.ones += alpha == m.one();
-            const AlphaLookup::Count& below = lookup.count[(j - 1) * row + i];
-            lookup.count[j * row + i] = {below.zeros + left.zeros, below.ones + left.ones};
+        for (int i = 0; i < columns; ++i) {
+            const AlphaKnown known = cell_alpha(m, image, cell, i, j);
+            left.zeros += known == AlphaKnown::zero;
+            left.ones += known == AlphaKnown::one;
+            const std::size_t at = static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i);
+            const AlphaLookup::Count& below = lookup.count[at + 1];
+            lookup.count[at + stride + 1] = {below.zeros + left.zeros, below.ones + left.ones};
         }
     }
     return lookup;
@@ -97,15 +119,15 @@ inline TexelBounds texel_bounds(float a, float b, float c, int size) {
 inline AlphaKnown alpha_known(const AlphaLookup& lookup, const std::array<TexelPlace, 3>& p) {
     const TexelBounds x = texel_bounds(p[0].u, p[1].u, p[2].u, lookup.width);
     const TexelBounds y = texel_bounds(p[0].v, p[1].v, p[2].v, lookup.height);
+    const int x0 = x.first / lookup.cell, x1 = x.last / lookup.cell + 1;
+    const int y0 = y.first / lookup.cell, y1 = y.last / lookup.cell + 1;
     const auto at = [&](int i, int j) -> const AlphaLookup::Count& {
-        return lookup.count[static_cast<std::size_t>(j) * static_cast<std::size_t>(lookup.width + 1) +
-                            static_cast<std::size_t>(i)];
+        return lookup.count[static_cast<std::size_t>(j * (lookup.columns + 1) + i)];
     };
-    const auto &a = at(x.first, y.first), &b = at(x.last + 1, y.first);
-    const auto &c = at(x.first, y.last + 1), &d = at(x.last + 1, y.last + 1);
-    const auto texels = static_cast<std::uint32_t>((x.last - x.first + 1) * (y.last - y.first + 1));
-    if (d.zeros + a.zeros - b.zeros - c.zeros == texels) return AlphaKnown::zero;
-    if (d.ones + a.ones - b.ones - c.ones == texels) return AlphaKnown::one;
+    const auto &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
+    const auto cells = static_cast<std::uint32_t>((x1 - x0) * (y1 - y0));
+    if (d.zeros + a.zeros - b.zeros - c.zeros == cells) return AlphaKnown::zero;
+    if (d.ones + a.ones - b.ones - c.ones == cells) return AlphaKnown::one;
     return AlphaKnown::nothing;
 }
 

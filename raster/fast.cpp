@@ -133,7 +133,7 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
         for (std::size_t k = 0; k < groups[g].passes.size(); ++k) {
             const auto& set_of = groups[g].set_of[k];
             state->passes.push_back(tile_pass(*state, groups[g].passes[k], g, k, set_of));
-            if (options.fuse && lane_kind<M>() != LaneKind::none)
+            if (lane_kind<M>() != LaneKind::none)
                 add_pass(state->alphas[g], state->passes.back().bound, set_of);
         }
     }
@@ -235,9 +235,24 @@ void draw_entry(const TilePass<M>& pass, const BinEntry& entry, const PixelRecta
     draw_triangle(t, tile);
 }
 
+/// Nothing is drawn into the tile, and it starts from one colour.
+template <NumericModel M>
+bool is_empty(const FastState<M>& state, std::size_t tile) {
+    return !state.frame.initial_color && state.bins.first[tile] == state.bins.first[tile + 1];
+}
+
+template <NumericModel M>
+void clear_tile(FastState<M>& state, const PixelRectangle& area) {
+    const auto clear = stored_color<M>(clear_color(state.m, state.frame));
+    for (auto y = area.y0; y < area.y1; ++y)
+        std::fill_n(state.color.begin() + static_cast<std::ptrdiff_t>(y * state.frame.width + area.x0),
+                    area.x1 - area.x0, clear);
+}
+
 template <NumericModel M>
 void draw_tile(FastState<M>& state, std::size_t number) {
     const PixelRectangle area = tile_rectangle(state.bins, number, state.frame);
+    if (is_empty(state, number)) return clear_tile(state, area);
     auto tile = state.pool.take();
     start_tile(state, area, *tile);
     const TilePass<M>* drawing = nullptr;

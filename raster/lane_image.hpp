@@ -32,16 +32,6 @@ template <NumericModel M>
 using LaneTexel = std::conditional_t<lane_kind<M>() == LaneKind::reals, Color<typename M::Real>,
                                      std::uint32_t>;
 
-inline std::uint32_t packed_bytes(const Color<int>& c) {
-    return static_cast<std::uint32_t>(c[0]) | static_cast<std::uint32_t>(c[1]) << 8 |
-           static_cast<std::uint32_t>(c[2]) << 16 | static_cast<std::uint32_t>(c[3]) << 24;
-}
-
-inline Color<int> unpacked_bytes(std::uint32_t p) {
-    return {static_cast<int>(p & 255), static_cast<int>(p >> 8 & 255),
-            static_cast<int>(p >> 16 & 255), static_cast<int>(p >> 24)};
-}
-
 template <NumericModel M>
 LaneTexel<M> lane_texel(const Color<typename M::Channel>& c) {
     if constexpr (lane_kind<M>() == LaneKind::reals)

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "raster/pass.hpp"
+#include "raster/packed_bytes.hpp"
 #include "texunit/numeric_model.hpp"
 
 /// The inner loops of the fast pipeline, on vectors as wide as the processor has: plain values in,
@@ -14,18 +15,19 @@ namespace twofold::lanes {
 inline constexpr int tile_edge = 64;  ///< pixels
 inline constexpr std::size_t tile_pixels = std::size_t{tile_edge} * tile_edge;
 inline constexpr std::size_t widest = 16;          ///< lanes that a load or store may run past an end
-inline constexpr std::size_t span_capacity = 512;  ///< pixels of a triangle covered at once
-inline constexpr std::size_t batch_capacity = 1024;  ///< fragments shaded at once
 inline constexpr std::size_t lane_units = 2;         ///< texture units that vectors know
+inline constexpr std::size_t span_capacity = 192;   ///< pixels of a triangle covered at once
+inline constexpr std::size_t batch_capacity = 256;  ///< fragments shaded at once
 
 /// A triangle inside a tile. Doubled areas e[k] are integers below 2^52 at every pixel of the tile,
 /// so binary64 holds them exactly.
 struct Triangle {
     std::array<double, 3> e, dx, dy;  ///< at the centre of pixel (x0, y0); a pixel to the right, below
     std::array<double, 3> least;      ///< 0 where the edge holds its own points, else 1
-    double area;                      ///< the sum of the three
+    double area, over_area;           ///< the sum of the three, and 1 over it
     int x0, y0, x1, y1;               ///< pixels to visit, relative to the tile
     double z0, dz1, dz2;              ///< depth of vertex 0 and what the others have more
+    bool moderate_depth;              ///< none of these exceeds 2
     std::array<double, 3> inverse_w;
     bool equal_w;
 };
@@ -40,24 +42,46 @@ struct DepthRule {
 };
 
 /// Covered pixels of one triangle, rows from the top, left to right.
-template <class Depth>
 struct Span {
+    static constexpr std::size_t room = span_capacity + 2 * tile_edge;
+    template <class T>
+    using Column = std::array<T, room>;
     std::size_t size = 0;
-    alignas(64) std::array<double, span_capacity + 2 * tile_edge> e1, e2;
-    alignas(64) std::array<std::uint32_t, span_capacity + 2 * tile_edge> at;  ///< in the tile
-    alignas(64) std::array<Depth, span_capacity + 2 * tile_edge> z;           ///< unless early
+    alignas(64) Column<double> e1, e2;
+    alignas(64) Column<double> at;  ///< number of the pixel in the tile
+    alignas(64) Column<double> z;   ///< as the depth buffer holds it, unless it was decided early
 };
 
-/// Fragments of one pass, perhaps of several triangles.
-template <class Real, class Depth>
-struct Batch {
-    static constexpr std::size_t room = batch_capacity + span_capacity + 2 * tile_edge + 2 * widest;
+inline constexpr std::size_t batch_room = batch_capacity + Span::room + 2 * widest;
+template <class T>
+using BatchColumn = std::array<T, batch_room>;
+
+/// Where a batch's fragments lie.
+struct BatchPlaces {
+    alignas(64) BatchColumn<std::uint32_t> at;  ///< number of the pixel in the tile
+    alignas(64) BatchColumn<double> z;
+};
+
+/// Fragments of one pass, perhaps of several triangles, of an 8-bit preset: colours have red in the
+/// lowest byte; a unit's footprint is the offset of its lesser texel and the weights of the next
+/// ones in 1/256, the second from bit 16 on.
+struct ByteBatch {
     std::size_t size = 0;
-    alignas(64) std::array<std::uint32_t, room> at;
-    alignas(64) std::array<Depth, room> z;
-    alignas(64) std::array<std::array<std::array<Real, room>, 3>, lane_units> coords;  ///< s, t, q
-    alignas(64) std::array<std::uint32_t, room> bytes;    ///< colours of 8-bit presets, red lowest
-    alignas(64) std::array<Color<Real>, room> reals;      ///< colours of the others
+    BatchPlaces places;
+    alignas(64) std::array<BatchColumn<std::int32_t>, lane_units> offset;
+    alignas(64) std::array<BatchColumn<std::uint32_t>, lane_units> weights;
+    alignas(64) BatchColumn<std::uint32_t> color;
+};
+
+/// The same of a preset that computes in real numbers.
+template <class Real>
+struct RealBatch {
+    std::size_t size = 0;
+    BatchPlaces places;
+    alignas(64) std::array<BatchColumn<std::int32_t>, lane_units> offset;
+    alignas(64) std::array<BatchColumn<Real>, lane_units> a, b;
+    alignas(64) BatchColumn<Color<Real>> color;
+    alignas(64) BatchColumn<std::uint32_t> rounded;  ///< by round_to_bytes()
 };
 
 /// A texture with one texel of surroundings on its left and lower sides and two on the others, as
@@ -98,28 +122,24 @@ struct Corners {
 
 /// Covers rows of the tile from `row` until the span is full or the triangle ends, tests and writes
 /// depth as the rule says, and returns the row to go on with.
-int cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row,
-          Span<std::uint32_t>& out);
-int cover(const Triangle& t, const DepthRule& rule, double* depth, int row, Span<double>& out);
+int cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row, Span& out);
+int cover(const Triangle& t, const DepthRule& rule, double* depth, int row, Span& out);
 
-/// Appends a span's fragments to a batch: their coordinates for `units` units, and colours.
-void interpolate_bytes(const Triangle& t, const Corners<double>& c, std::size_t units,
-                       const Span<std::uint32_t>& span, Batch<double, std::uint32_t>& out);
-void interpolate_reals(const Triangle& t, const Corners<double>& c, std::size_t units,
-                       const Span<std::uint32_t>& span, Batch<double, std::uint32_t>& out);
-void interpolate_reals(const Triangle& t, const Corners<double>& c, std::size_t units,
-                       const Span<double>& span, Batch<double, double>& out);
-void interpolate_reals(const Triangle& t, const Corners<float>& c, std::size_t units,
-                       const Span<std::uint32_t>& span, Batch<float, std::uint32_t>& out);
+/// Appends a span's fragments to a batch: their footprints in each unit's texture, and colours.
+void interpolate(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+                 const Span& span, ByteBatch& out);
+void interpolate(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
+                 const Span& span, RealBatch<double>& out);
+void interpolate(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
+                 const Span& span, RealBatch<float>& out);
 
-/// Looks textures up and combines: batch.bytes, or batch.reals (not yet limited to [0, 1]).
-void shade(const Shader<std::uint32_t>& s, Batch<double, std::uint32_t>& batch);
-void shade(const Shader<Color<double>>& s, Batch<double, std::uint32_t>& batch);
-void shade(const Shader<Color<double>>& s, Batch<double, double>& batch);
-void shade(const Shader<Color<float>>& s, Batch<float, std::uint32_t>& batch);
+/// Looks textures up and combines them with the colours. Real ones are not yet limited to [0, 1].
+void shade(const Shader<std::uint32_t>& s, ByteBatch& batch);
+void shade(const Shader<Color<double>>& s, RealBatch<double>& batch);
+void shade(const Shader<Color<float>>& s, RealBatch<float>& batch);
 
 /// The fragments' real colours as bytes: floor(255 x + 1/2) of x limited to [0, 1].
-void round_to_bytes(Batch<double, std::uint32_t>& batch);
+void round_to_bytes(RealBatch<double>& batch);
 
 /// The name of the instruction set that was chosen.
 const char* instruction_set();

@@ -46,18 +46,21 @@ struct TilePass {
     bool plain_write;  ///< a fragment that passes replaces what was there
 };
 
+template <NumericModel M>
+using LaneBatch = std::conditional_t<lane_kind<M>() == LaneKind::reals,
+                                     lanes::RealBatch<typename M::Real>, lanes::ByteBatch>;
+
 /// What a thread needs to draw a tile.
 template <NumericModel M>
 struct TileMemory {
     using Depth = typename M::Depth;
-    using Real = typename M::Real;
     int x0 = 0, y0 = 0;
     ColorFormat format{};
     int depth_bits = 24;
     alignas(64) std::array<StoredColor<M>, lanes::tile_pixels> color;
     alignas(64) std::array<Depth, lanes::tile_pixels + lanes::widest> depth;
-    lanes::Span<Depth> span;
-    lanes::Batch<Real, Depth> batch;
+    lanes::Span span;
+    LaneBatch<M> batch;
 
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * lanes::tile_edge +
@@ -152,6 +155,7 @@ lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& til
         out.inverse_w[k] = static_cast<double>(corner(t, k).inverse_w);
     }
     out.area = static_cast<double>(t.setup.doubled_area);
+    out.over_area = 1.0 / out.area;
     out.x0 = static_cast<int>(t.pixels.x0) - tile.x0;
     out.y0 = static_cast<int>(t.pixels.y0) - tile.y0;
     out.x1 = static_cast<int>(t.pixels.x1) - tile.x0;
@@ -159,6 +163,8 @@ lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& til
     out.z0 = corner(t, 0).z;
     out.dz1 = corner(t, 1).z - out.z0;
     out.dz2 = corner(t, 2).z - out.z0;
+    const auto moderate = [](double x) { return x >= -2.0 && x <= 2.0; };
+    out.moderate_depth = moderate(out.z0) && moderate(out.dz1) && moderate(out.dz2);
     out.equal_w =
         out.inverse_w[0] == out.inverse_w[1] && out.inverse_w[1] == out.inverse_w[2];
     return out;
@@ -192,10 +198,12 @@ lanes::Corners<typename M::Real> lane_corners(const TileTriangle<M>& t) {
 /// The colour of fragment i of a batch that has been shaded.
 template <NumericModel M>
 StoredColor<M> shaded_color(const M& m, const TileMemory<M>& tile, std::size_t i) {
-    if constexpr (std::is_integral_v<typename M::Pixel>) {
-        return tile.batch.bytes[i];
+    if constexpr (lane_kind<M>() == LaneKind::bytes) {
+        return tile.batch.color[i];
+    } else if constexpr (std::is_integral_v<typename M::Pixel>) {
+        return tile.batch.rounded[i];
     } else {
-        const auto& c = tile.batch.reals[i];
+        const auto& c = tile.batch.color[i];
         return {m.finish(c[0]), m.finish(c[1]), m.finish(c[2]), m.finish(c[3])};
     }
 }
@@ -212,7 +220,7 @@ void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
     const M& m = pass.bound.m;
     DrawCounters ignored;
     for (std::size_t i = 0; i < batch.size; ++i) {
-        const std::size_t at = batch.at[i];
+        const std::size_t at = batch.places.at[i];
         const StoredColor<M> color = shaded_color(m, tile, i);
         if (certain && pass.plain_write) {
             tile.color[at] = color;
@@ -224,7 +232,8 @@ void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
             write_color(pass.bound, pixel_color<M>(color), x, y, tile);
         else
             finish_fragment(
-                pass.bound, pixel_color<M>(color), x, y, [&] { return batch.z[i]; }, tile, ignored);
+                pass.bound, pixel_color<M>(color), x, y,
+                [&] { return static_cast<typename M::Depth>(batch.places.z[i]); }, tile, ignored);
     }
     batch.size = 0;
 }
@@ -239,13 +248,9 @@ void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileM
     const bool waits = t.certain && t.pass.plain_write;
     if (!waits) flush(t.pass, true, tile);
     const auto corners = lane_corners(t);
-    const std::size_t units = t.pass.bound.units.size();
     for (int row = edges.y0; row < edges.y1;) {
         row = lanes::cover(edges, rule, tile.depth.data(), row, tile.span);
-        if constexpr (lane_kind<M>() == LaneKind::reals)
-            lanes::interpolate_reals(edges, corners, units, tile.span, tile.batch);
-        else
-            lanes::interpolate_bytes(edges, corners, units, tile.span, tile.batch);
+        lanes::interpolate(edges, corners, t.pass.shader, tile.span, tile.batch);
         if (!waits || tile.batch.size >= lanes::batch_capacity) flush(t.pass, t.certain, tile);
     }
 }

@@ -82,7 +82,8 @@ struct Nv17 {
     /// inferred
     static int add_signed_scale(int scale) { return scale == 4 ? 2 : scale; }
 
-    static int finish(int a) { return a; }
+    /// Colours of a triangle whose 1/w differ in sign are extrapolated and leave the range.
+    static int finish(int a) { return clamp_unsigned(a); }
     static int pixel(double constant) { return rn8(constant); }
     static int blend(int s, int f, int d, int g) { return sum_rn(s, f, d, g); }
     static int blend_subtract(int s, int f, int d, int g) { return difference_rn(s, f, d, g); }

@@ -1,0 +1,170 @@
+// Texture addresses on vectors, compiled once for each instruction set: no #pragma once.
+#include "raster/lane_math-inl.hpp"
+#include "raster/lanes.hpp"
+
+#if defined(TWOFOLD_LANE_ADDRESS) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWOFOLD_LANE_ADDRESS
+#undef TWOFOLD_LANE_ADDRESS
+#else
+#define TWOFOLD_LANE_ADDRESS
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace twofold::lanes {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// limit_coordinate() of texunit/texel_address.hpp.
+template <class R>
+HWY_INLINE hn::Vec<R> limited(R r, hn::Vec<R> u, int size, Wrap wrap) {
+    using Real = hn::TFromD<R>;
+    const auto n = hn::Set(r, static_cast<Real>(size));
+    const auto half = hn::Set(r, Real{0.5});
+    switch (wrap) {
+        case Wrap::repeat:
+            return hn::Sub(u, hn::Mul(n, hn::Floor(hn::Div(u, n))));
+        case Wrap::clamp:
+            return hn::Min(hn::Max(u, hn::Zero(r)), n);
+        case Wrap::clamp_to_edge:
+            return hn::Min(hn::Max(u, half), hn::Sub(n, half));
+        case Wrap::mirrored_repeat: {
+            const auto copy = hn::Floor(hn::Div(u, n));
+            const auto inside = hn::Sub(u, hn::Mul(n, copy));
+            const auto two = hn::Set(r, Real{2});
+            const auto even = hn::Eq(copy, hn::Mul(two, hn::Floor(hn::Div(copy, two))));
+            const auto turned = hn::IfThenElse(even, inside, hn::Sub(n, inside));
+            return hn::Min(hn::Max(turned, half), hn::Sub(n, half));
+        }
+        case Wrap::clamp_to_border:
+            break;
+    }
+    return hn::Min(hn::Max(u, hn::Neg(half)), hn::Add(n, half));
+}
+
+/// A place along one axis: the lesser texel and, for LINEAR, the fraction of the next.
+template <class R>
+struct Axis {
+    hn::Vec<R> texel, fraction;
+};
+
+template <class R>
+HWY_INLINE Axis<R> axis(R r, hn::Vec<R> u, int size, Wrap wrap, bool linear) {
+    using Real = hn::TFromD<R>;
+    const auto at = limited(r, u, size, wrap);
+    if (linear) {
+        const auto shifted = hn::Sub(at, hn::Set(r, Real{0.5}));
+        const auto base = hn::Floor(shifted);
+        return {base, hn::Sub(shifted, base)};
+    }
+    const int last = wrap == Wrap::clamp_to_border ? size : size - 1;
+    return {hn::Min(hn::Floor(at), hn::Set(r, static_cast<Real>(last))), hn::Zero(r)};
+}
+
+/// texel_coordinate(), q being neither 0 nor NaN.
+template <class R>
+HWY_INLINE hn::Vec<R> texels_along(R r, hn::Vec<R> s, hn::Vec<R> q, int size) {
+    using Real = hn::TFromD<R>;
+    const auto limit = hn::Set(r, Real{32768});
+    const auto u = hn::Div(hn::Mul(s, hn::Set(r, static_cast<Real>(size))), q);
+    return hn::Min(hn::Max(u, hn::Neg(limit)), limit);
+}
+
+HWY_INLINE hn::Vec<I> as_int(D, V v) { return hn::DemoteTo(I(), v); }
+template <class F>
+HWY_INLINE hn::Vec<hn::RebindToSigned<F>> as_int(F, hn::Vec<F> v) {
+    return hn::ConvertTo(hn::RebindToSigned<F>(), v);
+}
+
+/// Texture coordinates of some fragments, up to a common factor.
+template <class R>
+struct Coordinates {
+    hn::Vec<R> s, t, q;
+};
+
+/// Where footprints lie: the offset of the lesser texel into the image with its surroundings, and
+/// the fractions of the next.
+template <class R>
+struct Footprint {
+    hn::Vec<I> offset;
+    hn::Vec<R> a, b;
+};
+
+template <class R, class Texel>
+HWY_INLINE Footprint<R> footprint(R r, const Unit<Texel>& unit, const Coordinates<R>& c) {
+    using Real = hn::TFromD<R>;
+    const Image<Texel>& image = unit.image;
+    const auto q = unit.divide_by_q ? c.q : hn::Set(r, Real{1});
+    const auto u = texels_along(r, c.s, q, unit.in_texels ? 1 : image.width);
+    const auto v = texels_along(r, c.t, q, unit.in_texels ? 1 : image.height);
+    const auto x = axis(r, u, image.width, unit.wrap_s, unit.linear);
+    const auto y = axis(r, v, image.height, unit.wrap_t, unit.linear);
+    const I di;
+    const auto one = hn::Set(di, 1);
+    const auto line = hn::Mul(hn::Add(as_int(r, y.texel), one), hn::Set(di, image.stride));
+    return {hn::Add(line, hn::Add(as_int(r, x.texel), one)), x.fraction, y.fraction};
+}
+
+/// 8-bit presets: the fractions are weights in 1/256, a | b << 16.
+struct Footprint8 {
+    hn::Vec<I> offset, weights;
+};
+
+HWY_INLINE Footprint8 footprint_by_division(const Unit<std::uint32_t>& unit,
+                                            const Coordinates<D>& c) {
+    const D d;
+    const I di;
+    const Footprint<D> f = footprint(d, unit, c);
+    const auto weight = [&](V fraction) HWY_ATTR {
+        return hn::DemoteTo(
+            di, hn::Min(hn::Mul(fraction, hn::Set(d, 256.0)), hn::Set(d, 255.0)));
+    };
+    return {f.offset, hn::Or(weight(f.a), hn::ShiftLeft<16>(weight(f.b)))};
+}
+
+/// 1 / q to 2^-46: from binary32, and a Newton step.
+HWY_INLINE V near_reciprocal(V q) {
+    const D d;
+    const hn::Rebind<float, D> narrow;
+    const V r = hn::PromoteTo(d, hn::Div(hn::Set(narrow, 1.0f), hn::DemoteTo(narrow, q)));
+    return hn::Mul(r, hn::Sub(hn::Set(d, 2.0), hn::Mul(q, r)));
+}
+
+/// A coordinate of LINEAR and CLAMP_TO_EDGE in 1/256 texel, floored: the lesser texel and the
+/// weight of the next. `certain` is cleared where a division could say otherwise.
+HWY_INLINE V fixed_coordinate(V s, V near_over_q, int size, bool& certain) {
+    const D d;
+    const V steps = hn::Mul(hn::Mul(s, hn::Set(d, 256.0 * size)), near_over_q);
+    const V from_centre = hn::Sub(steps, hn::Set(d, 128.0));
+    const V whole = hn::Floor(from_centre);
+    certain = certain && !in_doubt(from_centre, whole);
+    return hn::Min(hn::Max(whole, hn::Zero(d)), hn::Set(d, 256.0 * (size - 1)));
+}
+
+/// Whether a unit's coordinates may be found by reciprocals.
+inline bool knows_reciprocals(const Unit<std::uint32_t>& unit) {
+    return unit.linear && unit.divide_by_q && !unit.in_texels &&
+           unit.wrap_s == Wrap::clamp_to_edge && unit.wrap_t == Wrap::clamp_to_edge &&
+           unit.image.width <= 4096 && unit.image.height <= 4096;
+}
+
+/// The same footprint as by division, which is left to the vectors that are in doubt.
+HWY_INLINE Footprint8 footprint_by_reciprocal(const Unit<std::uint32_t>& unit,
+                                              const Coordinates<D>& c) {
+    const I di;
+    const V over_q = near_reciprocal(c.q);
+    bool certain = true;
+    const V x = fixed_coordinate(c.s, over_q, unit.image.width, certain);
+    const V y = fixed_coordinate(c.t, over_q, unit.image.height, certain);
+    if (HWY_UNLIKELY(!certain)) return footprint_by_division(unit, c);
+    const auto ix = hn::DemoteTo(di, x), iy = hn::DemoteTo(di, y), low = hn::Set(di, 255);
+    const auto line = hn::Mul(hn::ShiftRight<8>(iy), hn::Set(di, unit.image.stride));
+    const auto first = hn::Set(di, unit.image.stride + 1);
+    return {hn::Add(hn::Add(line, hn::ShiftRight<8>(ix)), first),
+            hn::Or(hn::And(ix, low), hn::ShiftLeft<16>(hn::And(iy, low)))};
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace twofold::lanes
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,215 @@
+#include "raster/lane_targets.hpp"
+#include "raster/lanes.hpp"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/shade_lanes.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "raster/lane_address-inl.hpp"
+#include "raster/lane_math-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace twofold::lanes {
+namespace HWY_NAMESPACE {
+namespace {
+
+// ------------------------------------------------------------------------------ 8-bit arithmetic
+
+using U32 = hn::ScalableTag<std::uint32_t>;
+using S32 = hn::RebindToSigned<U32>;
+using U16 = hn::Repartition<std::uint16_t, U32>;
+using Bytes = hn::Vec<U16>;
+
+/// Four channels of as many texels as there are 32-bit lanes: red and blue, green and alpha.
+struct Texels8 {
+    Bytes rb, ga;
+};
+
+HWY_INLINE Texels8 unpacked(hn::Vec<U32> t) {
+    const auto low = hn::Set(U32(), 0x00ff00ffu);
+    return {hn::BitCast(U16(), hn::And(t, low)),
+            hn::BitCast(U16(), hn::And(hn::ShiftRight<8>(t), low))};
+}
+
+HWY_INLINE hn::Vec<U32> repacked(const Texels8& t) {
+    const U32 d;
+    return hn::Or(hn::BitCast(d, t.rb), hn::ShiftLeft<8>(hn::BitCast(d, t.ga)));
+}
+
+/// flerp() of byte_arithmetic.hpp: (p (256 - w) + q w + 128) >> 8, which fits 16 bits.
+HWY_INLINE Bytes flerp16(Bytes p, Bytes q, Bytes w) {
+    const auto moved = hn::Add(hn::ShiftLeft<8>(p), hn::Mul(hn::Sub(q, p), w));
+    return hn::ShiftRight<8>(hn::Add(moved, hn::Set(U16(), 128)));
+}
+
+/// mul_rn() of byte_arithmetic.hpp.
+HWY_INLINE Bytes mul_rn16(Bytes a, Bytes b) {
+    const auto t = hn::Add(hn::Mul(a, b), hn::Set(U16(), 128));
+    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
+}
+
+HWY_INLINE Texels8 gathered(const std::uint32_t* base, hn::Vec<S32> at) {
+    return unpacked(hn::GatherIndex(U32(), base, at));
+}
+
+/// Nv17::filter on all four channels.
+HWY_INLINE Texels8 filtered(const Image<std::uint32_t>& image, hn::Vec<S32> at,
+                            hn::Vec<U32> weights) {
+    const auto low = hn::And(weights, hn::Set(U32(), 0xffffu));
+    const auto high = hn::ShiftRight<16>(weights);
+    const Bytes a = hn::BitCast(U16(), hn::Or(low, hn::ShiftLeft<16>(low)));
+    const Bytes b = hn::BitCast(U16(), hn::Or(high, hn::ShiftLeft<16>(high)));
+    const std::uint32_t* const next = image.texels + image.stride;
+    const Texels8 t00 = gathered(image.texels, at), t10 = gathered(image.texels + 1, at);
+    const Texels8 t01 = gathered(next, at), t11 = gathered(next + 1, at);
+    return {flerp16(flerp16(t00.rb, t10.rb, a), flerp16(t01.rb, t11.rb, a), b),
+            flerp16(flerp16(t00.ga, t10.ga, a), flerp16(t01.ga, t11.ga, a), b)};
+}
+
+/// MODULATE with its scales, or REPLACE.
+HWY_INLINE Texels8 combined(const Unit<std::uint32_t>& unit, const Texels8& texel,
+                            const Texels8& previous) {
+    if (unit.replace) return texel;
+    Texels8 c{mul_rn16(texel.rb, previous.rb), mul_rn16(texel.ga, previous.ga)};
+    if (unit.rgb_scale == 1 && unit.alpha_scale == 1) return c;
+    const auto rgb = static_cast<std::uint32_t>(unit.rgb_scale);
+    const auto alpha = static_cast<std::uint32_t>(unit.alpha_scale);
+    const auto top = hn::Set(U16(), 255);
+    const auto factors = [](std::uint32_t lower, std::uint32_t upper) HWY_ATTR {
+        return hn::BitCast(U16(), hn::Set(U32(), lower | upper << 16));
+    };
+    c.rb = hn::Min(hn::Mul(c.rb, factors(rgb, rgb)), top);
+    c.ga = hn::Min(hn::Mul(c.ga, factors(rgb, alpha)), top);
+    return c;
+}
+
+void shade_bytes(const Shader<std::uint32_t>& s, ByteBatch& batch) {
+    const U32 d;
+    const S32 ds;
+    // What lies behind the last fragment up to a full vector must be an address too.
+    for (std::size_t u = 0; u < s.units; ++u)
+        for (std::size_t i = batch.size; i < batch.size + widest; ++i) batch.offset[u][i] = 0;
+    for (std::size_t i = 0; i < batch.size; i += hn::Lanes(d)) {
+        Texels8 color = unpacked(hn::LoadU(d, batch.color.data() + i));
+        for (std::size_t u = 0; u < s.units; ++u) {
+            const Unit<std::uint32_t>& unit = s.unit[u];
+            const auto at = hn::LoadU(ds, batch.offset[u].data() + i);
+            const auto weights = hn::LoadU(d, batch.weights[u].data() + i);
+            color = combined(unit,
+                             unit.linear ? filtered(unit.image, at, weights)
+                                         : gathered(unit.image.texels, at),
+                             color);
+        }
+        hn::StoreU(repacked(color), d, batch.color.data() + i);
+    }
+}
+
+// ------------------------------------------------------------------------------- real arithmetic
+
+template <class Real>
+using Four = hn::CappedTag<Real, 4>;
+
+/// RealModel::filter on as many channels as a vector of four holds, from `channel` on.
+template <class Real>
+HWY_INLINE hn::Vec<Four<Real>> real_texel(const Image<Color<Real>>& image, std::int32_t at,
+                                          std::size_t channel, Real a, Real b, bool linear) {
+    const Four<Real> four;
+    const auto texel = [&](std::int32_t more) HWY_ATTR {
+        return hn::LoadU(four, image.texels[at + more].data() + channel);
+    };
+    if (!linear) return texel(0);
+    const auto va = hn::Set(four, a), na = hn::Set(four, Real{1} - a);
+    const auto vb = hn::Set(four, b), nb = hn::Set(four, Real{1} - b);
+    const auto row0 = hn::Add(hn::Mul(na, texel(0)), hn::Mul(va, texel(1)));
+    const auto row1 =
+        hn::Add(hn::Mul(na, texel(image.stride)), hn::Mul(va, texel(image.stride + 1)));
+    return hn::Add(hn::Mul(nb, row0), hn::Mul(vb, row1));
+}
+
+/// Factors and limits of MODULATE's scales. A channel that is not scaled is not limited either.
+template <class Real>
+struct Scales {
+    std::array<Real, 4> factor, least, most;
+
+    explicit Scales(const Unit<Color<Real>>& unit) {
+        constexpr Real all = hwy::HighestValue<Real>();
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int scale = k < 3 ? unit.rgb_scale : unit.alpha_scale;
+            factor[k] = static_cast<Real>(scale);
+            least[k] = scale == 1 ? -all : Real{0};
+            most[k] = scale == 1 ? all : Real{1};
+        }
+    }
+};
+
+template <class Real>
+void shade_real_unit(const Unit<Color<Real>>& unit, std::size_t u, RealBatch<Real>& batch) {
+    const Four<Real> four;
+    const bool scaled = unit.rgb_scale != 1 || unit.alpha_scale != 1;
+    const Scales<Real> scales(unit);
+    for (std::size_t i = 0; i < batch.size; ++i)
+        for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
+            Real* const color = batch.color[i].data() + ch;
+            auto c = real_texel(unit.image, batch.offset[u][i], ch, batch.a[u][i], batch.b[u][i],
+                                unit.linear);
+            if (!unit.replace) {
+                c = hn::Mul(c, hn::LoadU(four, color));
+                if (scaled)
+                    c = hn::Min(hn::Max(hn::Mul(c, hn::LoadU(four, scales.factor.data() + ch)),
+                                        hn::LoadU(four, scales.least.data() + ch)),
+                                hn::LoadU(four, scales.most.data() + ch));
+            }
+            hn::StoreU(c, four, color);
+        }
+}
+
+template <class Real>
+void shade_reals(const Shader<Color<Real>>& s, RealBatch<Real>& batch) {
+    for (std::size_t u = 0; u < s.units; ++u) shade_real_unit(s.unit[u], u, batch);
+}
+
+void round_f64(RealBatch<double>& batch) {
+    const Four<double> four;
+    const hn::Rebind<std::int32_t, Four<double>> ints;
+    for (std::size_t i = 0; i < batch.size; ++i) {
+        alignas(16) std::array<std::int32_t, 4> c;
+        for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
+            const auto x = hn::LoadU(four, batch.color[i].data() + ch);
+            const auto inside = hn::Min(hn::Max(x, hn::Zero(four)), hn::Set(four, 1.0));
+            const auto scaled = hn::Add(hn::Mul(hn::Set(four, 255.0), inside), hn::Set(four, 0.5));
+            hn::StoreU(hn::DemoteTo(ints, scaled), ints, c.data() + ch);
+        }
+        batch.rounded[i] = packed_bytes(c);
+    }
+}
+
+void shade_f64(const Shader<Color<double>>& s, RealBatch<double>& batch) { shade_reals(s, batch); }
+void shade_f32(const Shader<Color<float>>& s, RealBatch<float>& batch) { shade_reals(s, batch); }
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace twofold::lanes
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace twofold::lanes {
+
+HWY_EXPORT(shade_bytes);
+HWY_EXPORT(shade_f64);
+HWY_EXPORT(shade_f32);
+HWY_EXPORT(round_f64);
+
+void shade(const Shader<std::uint32_t>& s, ByteBatch& batch) {
+    HWY_DYNAMIC_DISPATCH(shade_bytes)(s, batch);
+}
+void shade(const Shader<Color<double>>& s, RealBatch<double>& batch) {
+    HWY_DYNAMIC_DISPATCH(shade_f64)(s, batch);
+}
+void shade(const Shader<Color<float>>& s, RealBatch<float>& batch) {
+    HWY_DYNAMIC_DISPATCH(shade_f32)(s, batch);
+}
+void round_to_bytes(RealBatch<double>& batch) { HWY_DYNAMIC_DISPATCH(round_f64)(batch); }
+
+}  // namespace twofold::lanes
+#endif
