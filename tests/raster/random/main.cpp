@@ -46,12 +46,6 @@ Framebuffer counted(const RandomState& state, Totals& totals) {
     totals.fragments += c.fragments;
     totals.written += c.written;
     totals.empty += c.written == 0 ? 1 : 0;
-    if (c.written == 0) {
-        bool paper = !state.frame.textures.empty() && state.frame.passes[0].state.alpha_test;
-        fmt::print("af={} df={}\n", paper, picture.width, picture.height,
-                   state.frame.passes[0].state.window_space, c.triangles, c.not_finite, c.rejected,
-                   c.culled, c.zero_area, c.set_up, c.fragments, c.alpha_failed, c.depth_failed);
-    }
     return picture;
 }
 

@@ -2,50 +2,12 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/raster/builders.hpp"
 #include "tests/raster/random/random_parts.hpp"
 
 /// Meshes of every kind of triangle that has made trouble. Shapes are thought of in the window and
 /// then put where the view sees them there.
 namespace twofold::test {
 namespace {
-
-constexpr double near_plane = 0.5, far_plane = 16.0;
-
-/// A vertex in the window: pixels, and how far along the view it lies, 0 near to 1 far.
-struct Spot {
-    double x, y, depth;
-};
-
-/// The distance from the eye of a depth in [0, 1], linear so that planes stay planes nowhere.
-double distance_of(double depth) { return near_plane + 4.0 * depth; }
-
-/// The rotation of a unit quaternion, exactly orthogonal but for rounding.
-Mat4 random_rotation(Dice& dice) {
-    Vec4 q{dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), dice.real(0.1, 1)};
-    q = q / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-    Mat4 m{1.0};
-    m[0] = {1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.z * q.w),
-            2 * (q.x * q.z - q.y * q.w), 0};
-    m[1] = {2 * (q.x * q.y - q.z * q.w), 1 - 2 * (q.x * q.x + q.z * q.z),
-            2 * (q.y * q.z + q.x * q.w), 0};
-    m[2] = {2 * (q.x * q.z + q.y * q.w), 2 * (q.y * q.z - q.x * q.w),
-            1 - 2 * (q.x * q.x + q.y * q.y), 0};
-    return m;
-}
-
-/// The object-space point that the rigid modelview takes to `eye`.
-Vec3 before(const Mat4& modelview, Vec3 eye) {
-    const Vec3 d = eye - Vec3{modelview[3]};
-    return {dot(Vec3{modelview[0]}, d), dot(Vec3{modelview[1]}, d), dot(Vec3{modelview[2]}, d)};
-}
-
-Vec3 position_at(const View& view, const Spot& spot) {
-    if (view.space != Space::perspective) return {spot.x, spot.y, spot.depth};
-    const double d = distance_of(spot.depth);
-    return before(view.modelview, {(2.0 * spot.x / view.width - 1.0) * d / 2.0,
-                                   (1.0 - 2.0 * spot.y / view.height) * d / 2.0, -d});
-}
 
 /// A mesh while shapes are added to it.
 struct Builder {
@@ -142,7 +104,7 @@ void add_degenerate(Builder& b) {
 void add_crossing(Builder& b) {
     add_plain(b, b.radius);
     Spot& last = b.spots.back();
-    last.depth = b.dice.one_of({-near_plane / 4.0, -0.3, -2.0, 0.0, 5.0});
+    last.depth = b.dice.one_of({-0.125, -0.3, -2.0, 0.0, 5.0});
 }
 
 void add_shape(Builder& b, bool may_cover) {
@@ -190,7 +152,7 @@ std::vector<double> random_w(Dice& dice, std::size_t n) {
 Mesh mesh_of(Builder& b) {
     Mesh mesh;
     const std::size_t n = b.spots.size();
-    for (const Spot& p : b.spots) mesh.positions.push_back(position_at(b.view, p));
+    for (const Spot& p : b.spots) mesh.positions.push_back(b.view.position_at(p));
     mesh.indices = std::move(b.indices);
     for (auto& set : mesh.texcoords)
         if (&set == mesh.texcoords.data() || b.dice.chance(0.2))
@@ -229,29 +191,6 @@ Builder start(Dice& dice, const View& view, double area, int triangles) {
 }
 
 }  // namespace
-
-Vec3 random_direction(Dice& dice) {
-    const Vec3 d{dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1)};
-    return length(d) > 0.01 ? normalized(d) : Vec3{0.0, 0.0, -1.0};
-}
-
-Vec4 random_color(Dice& dice) {
-    Vec4 color;
-    for (int c = 0; c < 4; ++c)
-        color[c] = dice.chance(0.3) ? dice.one_of({0.0, 1.0, 0.5}) : dice.unit();
-    return color;
-}
-
-View random_view(Dice& dice, int width, int height, Space space) {
-    View view{.width = width, .height = height, .space = space};
-    if (space == Space::pixels) view.projection = pixel_projection(width, height);
-    if (space != Space::perspective) return view;
-    view.projection = frustum(near_plane, far_plane);
-    if (dice.chance(0.3)) return view;
-    view.modelview = random_rotation(dice);
-    view.modelview[3] = {dice.real(-1, 1), dice.real(-1, 1), dice.real(-4, 0), 1.0};
-    return view;
-}
 
 Mesh random_mesh(Dice& dice, const View& view, double area) {
     const int triangles = dice.chance(0.3) ? dice.integer(1, 3) : dice.integer(1, 40);

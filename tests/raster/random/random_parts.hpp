@@ -8,6 +8,11 @@ namespace twofold::test {
 /// Where a mesh's positions are given.
 enum class Space { window, pixels, perspective };
 
+/// A vertex in the window: pixels, and how far along the view it lies, 0 near to 1 far.
+struct Spot {
+    double x, y, depth;
+};
+
 /// What a mesh is seen by: passes that share it share these.
 struct View {
     int width = 1;
@@ -15,6 +20,9 @@ struct View {
     Space space = Space::window;
     Mat4 modelview{1.0};
     Mat4 projection{1.0};
+
+    /// The position that is seen at the spot.
+    Vec3 position_at(const Spot& spot) const;
 };
 
 View random_view(Dice& dice, int width, int height, Space space);

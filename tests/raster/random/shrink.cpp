@@ -81,6 +81,7 @@ void add_mesh_edits(const RandomState& state, std::vector<Edit>& edits) {
     for (std::size_t m = 0; m < state.frame.meshes.size(); ++m) {
         edits.push_back([=](RandomState& s) { s.frame.meshes[m].colors.clear(); });
         edits.push_back([=](RandomState& s) { s.frame.meshes[m].secondary_colors.clear(); });
+        edits.push_back([=](RandomState& s) { s.frame.meshes[m].normals.clear(); });
         edits.push_back([=](RandomState& s) { s.frame.meshes[m].position_w.clear(); });
         for (std::size_t u = 0; u < max_units; ++u)
             edits.push_back([=](RandomState& s) { s.frame.meshes[m].texcoords[u].clear(); });

@@ -118,6 +118,9 @@ void add_background(const Frame& frame, const std::string& file, StateScene& res
 StateScene scene_of(const RandomState& state, const std::string& background_file) {
     const Frame& frame = state.frame;
     StateScene result;
+    result.scene.title =
+        fmt::format("a random state, drawn with {} threads, passes {}", state.options.threads,
+                    state.options.fuse ? "fused" : "one by one");
     result.scene.image = image_of(frame);
     result.scene.presets = {state.preset};
     result.scene.custom = state.custom;
