@@ -78,13 +78,14 @@ bool same(const Framebuffer& a, const Framebuffer& b) {
 
 /// Every preset by both pipelines, whichever presets the scene names; a line for each way of the
 /// fast one that does not give the reference's bytes and values. There is none in hashes.txt.
-void print_strays(const std::string& name, const RunResult& run, int threads) {
-    const SceneAssets assets = load_assets(run.scene);
+void print_strays(const std::string& name, const Scene& scene, const FactoredMaterials& materials,
+                  int threads) {
+    const SceneAssets assets = load_assets(scene);
     for (const Preset preset : every_preset) {
-        const Frame frame = make_frame(run.scene, assets, run.lit.materials, preset);
-        const Framebuffer expected = render_reference(frame, preset, run.scene.custom);
+        const Frame frame = make_frame(scene, assets, materials, preset);
+        const Framebuffer expected = render_reference(frame, preset, scene.custom);
         for (const bool fuse : {true, false})
-            if (!same(expected, render_fast(frame, preset, run.scene.custom, {threads, fuse})))
+            if (!same(expected, render_fast(frame, preset, scene.custom, {threads, fuse})))
                 fmt::print("{} {}: fast with {} passes DIFFERS\n", name, name_of(preset),
                            fuse ? "fused" : "single");
     }
@@ -116,8 +117,10 @@ int main(int argc, char** argv) try {
         const std::string name = path.stem().string();
         const RunResult run = run_scene(small_scene(path), threads, {});
         print_run(name, run);
-        print_strays(name, run, threads);
+        print_strays(name, run.scene, run.lit.materials, threads);
     }
+    for (const auto& path : scenes_in(std::filesystem::path(argv[1]) / "probes"))
+        print_strays(path.stem().string(), read_scene(path), {}, threads);
     return 0;
 } catch (const std::exception& e) {
     fmt::print(stderr, "image_hashes: {}\n", e.what());

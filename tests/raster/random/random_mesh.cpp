@@ -140,11 +140,12 @@ std::vector<Vec4> random_colors(Dice& dice, std::size_t n) {
     return colors;
 }
 
-/// What the vertices of window space may have instead of w = 1.
+/// What the vertices of window space may have instead of w = 1. Not below 0: between vertices on
+/// both sides of the eye colours are extrapolated, and no rule says how far.
 std::vector<double> random_w(Dice& dice, std::size_t n) {
     std::vector<double> w;
     for (std::size_t i = 0; i < n; ++i)
-        w.push_back(dice.chance(0.03) ? dice.one_of({0.0, -1.0, 1e-30, -0.0})
+        w.push_back(dice.chance(0.03) ? dice.one_of({0.0, 1e-30, -0.0, 1e9})
                                       : dice.real(0.25, 4.0));
     return w;
 }
