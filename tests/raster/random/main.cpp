@@ -26,6 +26,7 @@ struct Settings {
 struct Totals {
     std::map<std::string_view, std::uint64_t> states;  ///< by preset
     std::uint64_t drawings = 0, failures = 0, passes = 0;
+    std::uint64_t by_vectors = 0, joined = 0;                            ///< passes, see FastShare
     std::uint64_t triangles = 0, fragments = 0, written = 0, empty = 0;  ///< of the reference
 };
 
@@ -54,6 +55,9 @@ void check_state(const Settings& settings, std::uint64_t number, Totals& totals)
     RandomState state = random_state(settings.seed, number);
     ++totals.states[name_of(state.preset)];
     totals.passes += state.frame.passes.size();
+    const FastShare share = fast_share(state);
+    totals.by_vectors += share.by_vectors;
+    totals.joined += share.joined;
     for (const FastOptions& options : options_of(settings, state)) {
         state.options = options;
         ++totals.drawings;
@@ -83,7 +87,8 @@ Settings parsed(int argc, char** argv, CLI::App& app) {
 void print(const Totals& totals) {
     std::uint64_t states = 0;
     for (const auto& [preset, n] : totals.states) states += n;
-    fmt::print("{} states of {} passes, {} drawings:", states, totals.passes, totals.drawings);
+    fmt::print("{} states of {} passes ({} by vectors, {} fused to the one before), {} drawings:",
+               states, totals.passes, totals.by_vectors, totals.joined, totals.drawings);
     for (const auto& [preset, n] : totals.states) fmt::print(" {} {}", preset, n);
     fmt::print("; {} triangles, {} fragments, {} written, {} pictures with none\n",
                totals.triangles, totals.fragments, totals.written, totals.empty);

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+
+#include "raster/lane_image.hpp"
+#include "raster/pass_group.hpp"
 #include "raster/reference.hpp"
 #include "tests/raster/random/shrink.hpp"
 #include "tests/raster/random/state_scene.hpp"
+#include "texunit/presets.hpp"
 
 namespace twofold::test {
 namespace {
@@ -66,6 +71,22 @@ Framebuffer by_reference(const RandomState& state) {
 
 Framebuffer by_fast(const RandomState& state) {
     return render_fast(state.frame, state.preset, state.custom, state.options);
+}
+
+FastShare fast_share(const RandomState& state) {
+    const Frame& frame = state.frame;
+    FastShare share;
+    share.joined = frame.passes.size() - group_passes(frame, state.options.fuse).size();
+    with_model(state.preset, state.custom, [&](const auto& m) {
+        using M = std::decay_t<decltype(m)>;
+        std::vector<UploadedTexture<M>> textures;
+        for (const Texture& t : frame.textures) textures.push_back(upload(m, t));
+        const UploadedTexture<M> white = white_texture(m);
+        for (const Pass& pass : frame.passes)
+            if (lanes_know<M>(twofold::bind(m, normalized(pass.state), textures, white)))
+                ++share.by_vectors;
+    });
+    return share;
 }
 
 std::optional<PictureMismatch> difference(const RandomState& state, const Renderer& expected,
