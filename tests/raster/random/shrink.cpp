@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "raster/transform.hpp"
 #include "tests/raster/random/random_parts.hpp"
 
 namespace twofold::test {
@@ -77,11 +78,20 @@ void add_index_edits(const RandomState& state, std::vector<Edit>& edits) {
     }
 }
 
+/// Scene files want them where they are read.
+bool reads_normals(const Frame& frame, std::size_t mesh) {
+    for (const Pass& pass : frame.passes)
+        if (pass.mesh == mesh && needs_normals(pass.state)) return true;
+    return false;
+}
+
 void add_mesh_edits(const RandomState& state, std::vector<Edit>& edits) {
     for (std::size_t m = 0; m < state.frame.meshes.size(); ++m) {
         edits.push_back([=](RandomState& s) { s.frame.meshes[m].colors.clear(); });
         edits.push_back([=](RandomState& s) { s.frame.meshes[m].secondary_colors.clear(); });
-        edits.push_back([=](RandomState& s) { s.frame.meshes[m].normals.clear(); });
+        edits.push_back([=](RandomState& s) {
+            if (!reads_normals(s.frame, m)) s.frame.meshes[m].normals.clear();
+        });
         edits.push_back([=](RandomState& s) { s.frame.meshes[m].position_w.clear(); });
         for (std::size_t u = 0; u < max_units; ++u)
             edits.push_back([=](RandomState& s) { s.frame.meshes[m].texcoords[u].clear(); });
