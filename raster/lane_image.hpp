@@ -40,9 +40,9 @@ LaneTexel<M> lane_texel(const Color<typename M::Channel>& c) {
         return packed_bytes(c);
 }
 
-/// The texel index at a place of -1 to size + 1 along one axis; -1 is the border.
+/// The texel index at a place of -1 to size + 1 along one axis, or a border's.
 inline int surrounding_index(int place, int size, Wrap wrap) {
-    return place > size ? -1 : wrap_index(place, size, wrap);
+    return wrap == Wrap::repeat ? (place + size) % size : wrap_index(place, size, wrap);
 }
 
 /// The image with its surroundings as one unit's wrap modes and border see them (lanes::Image).

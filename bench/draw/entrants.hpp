@@ -34,13 +34,13 @@ Inputs load(const Source& source);
 std::vector<std::string> child_command(const Settings& settings, const Source& source,
                                        Preset preset, double seconds);
 
-/// How our picture differs from the peer's.
+/// How our picture differs from the peer's, where either is drawn.
 struct PictureCheck {
     std::string work, ours, peer;
     PictureComparison difference;
 
-    /// Whether it is the same picture up to rounding: no more than one pixel in 2000 is off by more
-    /// than 4 steps (the seams between the four passes), one in 10000 drawn by one side only.
+    /// Whether it is the same picture up to rounding: no more than one pixel in 1000 is off by more
+    /// than 4 steps (the seams between the four passes), one in 5000 drawn by one side only.
     bool passed() const;
 };
 

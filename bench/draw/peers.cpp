@@ -80,7 +80,7 @@ ByteImage top_down(const std::vector<Rgba32f>& pixels, int size) {
 }  // namespace
 
 PeerTimes time_peer(const fs::path& programs, const PeerDrawing& drawing, double seconds) {
-    auto row = csv_row(run_peer(programs, drawing, seconds, {}, {}));
+    auto row = csv_row(run_peer(programs, drawing, seconds, {}, {{"GALLIVM_PERF", ""}}));
     if (row["renderer"] != drawing.driver)
         throw Error(ExitCode::bad_file, fmt::format("peer_gl: renderer: asked for {}, drew with {}",
                                                     drawing.driver, row["renderer"]));
