@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <stdlib.h>
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -46,7 +45,7 @@ class ScratchFolder {
 };
 
 /// What --child is asked for: one drawing in a process of its own. Prints seconds of a frame
-/// (processor, its median, wall) and the MiB that the process held before it drew.
+/// (processor, its median, wall) and the most MiB that the process held before it drew and ever.
 void draw_as_child(const std::vector<std::string>& arguments) {
     const auto integer = [&](std::size_t i) {
         return static_cast<int>(parse_integer(arguments[i]).value_or(0));
@@ -54,12 +53,11 @@ void draw_as_child(const std::vector<std::string>& arguments) {
     const Source source{arguments[0], integer(1), integer(2),
                         arguments.size() > 5 ? arguments[5] : ""};
     const Frame frame = frame_of(load(source));
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
+    const double before = peak_mebibytes();
     const FastFrame fast = prepare_fast(frame, preset_named(arguments[3]).value_or(Preset::nv17));
     const FrameTimes times = time_frames(fast.draw, parse_real(arguments[4]).value_or(0.0), 3);
-    fmt::print("{:.9e} {:.9e} {:.9e} {:.1f}\n", times.cpu, times.cpu_median, times.wall,
-               static_cast<double>(usage.ru_maxrss) / 1024.0);
+    fmt::print("{:.9e} {:.9e} {:.9e} {:.1f} {:.1f}\n", times.cpu, times.cpu_median, times.wall,
+               before, peak_mebibytes());
 }
 
 void draw_first_picture() {

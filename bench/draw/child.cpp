@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,13 +74,11 @@ ChildResult run_child(const std::vector<std::string>& command, const Environment
     const double before = wall_seconds();
     const pid_t child = start(command, environment, pipe_ends[1]);
     close(pipe_ends[1]);
-    ChildResult result{read_all(pipe_ends[0]), 0.0, 0.0};
+    ChildResult result{read_all(pipe_ends[0])};
     close(pipe_ends[0]);
     int status = 0;
-    rusage usage{};
-    wait4(child, &status, 0, &usage);
+    waitpid(child, &status, 0);
     result.wall = wall_seconds() - before;
-    result.peak_mebibytes = static_cast<double>(usage.ru_maxrss) / 1024.0;
     if (WIFSIGNALED(status)) fail(command[0], fmt::format("signal {}", WTERMSIG(status)));
     if (WEXITSTATUS(status) != 0)
         fail(command[0], fmt::format("exit code {}", WEXITSTATUS(status)));

@@ -7,9 +7,8 @@ namespace twofold::bench {
 
 /// A program that ran to its end.
 struct ChildResult {
-    std::string output;         ///< what it wrote to its standard output
-    double wall = 0.0;          ///< seconds from before it was started to its end
-    double peak_mebibytes = 0;  ///< largest resident set
+    std::string output;  ///< what it wrote to its standard output
+    double wall = 0.0;   ///< seconds from before it was started to its end
 };
 
 /// Runs a program and waits for it.

@@ -1,5 +1,6 @@
 #include "bench/draw/contest.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace twofold::bench {
@@ -29,6 +30,11 @@ double cpu_median(const Rounds& rounds, const std::string& name) {
     return median(medians);
 }
 
+bool has_row_of(const std::vector<Row>& rows, const std::string& ours) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Row& row) { return row.duel.ours == ours; });
+}
+
 }  // namespace
 
 std::vector<double> Row::ratios() const {
@@ -47,6 +53,7 @@ std::vector<Row> hold(const Contest& contest) {
     std::vector<Row> rows;
     for (const Duel& d : contest.duels) {
         if (!rounds.contains(d.ours)) continue;
+        if (!rounds.contains(d.peer) && has_row_of(rows, d.ours)) continue;
         rows.push_back({contest.work, contest.pixels, d, seconds_of(rounds, d.ours, d.wall, 1.0),
                         seconds_of(rounds, d.peer, d.wall, d.head_start),
                         cpu_median(rounds, d.ours)});

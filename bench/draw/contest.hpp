@@ -52,7 +52,8 @@ struct Row {
 /// Whether a row meets `share` of its floor; true where there is none.
 bool meets_floor(const Row& row, double share);
 
-/// Lets all contestants draw in turn, round after round, and compares them as the duels say.
+/// Lets all contestants draw in turn, round after round, and compares them as the duels say. A duel
+/// with an absent peer gives a row of its own only where ours has none yet.
 std::vector<Row> hold(const Contest& contest);
 
 }  // namespace twofold::bench

@@ -92,13 +92,13 @@ std::string table(const std::string& heading, const std::vector<T>& values,
 }  // namespace
 
 std::string row_heading() {
-    return fmt::format("{:<52} {:<20} {:>8}  {:<26} {:>8} {:>6} {:>13} {:>5} {:>5}  {}", "work",
+    return fmt::format("{:<54} {:<18} {:>8}  {:<25} {:>8} {:>6} {:>13} {:>5} {:>5}  {}", "work",
                        "ours", "ns/px", "peer", "ns/px", "ratio", "spread", "floor", "aim", "met");
 }
 
 std::string line_of(const Row& row) {
     const auto c = cells_of(row);
-    return fmt::format("{:<52} {:<20} {:>8}  {:<26} {:>8} {:>6} {:>13} {:>5} {:>5}  {}", c[0], c[1],
+    return fmt::format("{:<54} {:<18} {:>8}  {:<25} {:>8} {:>6} {:>13} {:>5} {:>5}  {}", c[0], c[1],
                        c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9]);
 }
 

@@ -30,7 +30,7 @@ Work quad() {
 }
 
 Work sphere_one_pass() {
-    return {"sphere of 20k triangles, two textures, one pass",
+    return {"20k sphere, two textures, one pass",
             "tex2-persp",
             sphere_20k,
             1024,
@@ -40,7 +40,7 @@ Work sphere_one_pass() {
 }
 
 Work sphere_four_passes() {
-    return {"sphere of 20k triangles, the paper's four passes",
+    return {"20k sphere, four passes",
             "para4",
             sphere_20k,
             1024,
@@ -60,7 +60,7 @@ Work sphere_four_passes() {
 }
 
 Work large_sphere() {
-    return {"sphere of 200k triangles, the paper's four passes",
+    return {"200k sphere, four passes",
             "para4",
             sphere_200k,
             1024,
@@ -73,7 +73,7 @@ Work large_sphere() {
 /// TinyGL, which draws little else, was measured at 1.9 times llvmpipe's speed.
 Work nearest() {
     constexpr double tinygl = 1.9;
-    return {"sphere of 20k triangles, one nearest texture, depth",
+    return {"20k sphere, one nearest texture, depth",
             "tex1-nearest",
             sphere_20k,
             1024,
@@ -130,10 +130,10 @@ std::vector<Work> all_works() {
             large_sphere(),
             nearest(),
             clear(),
-            threads("two textures, perspective quad", "tex2-persp", 0),
-            threads("sphere of 20k triangles, four passes fused", "para4", sphere_20k),
-            reference("two textures, perspective quad", "tex2-persp", 0),
-            reference("sphere of 20k triangles, four passes", "para4", sphere_20k)};
+            threads("perspective quad", "tex2-persp", 0),
+            threads("20k sphere, four passes fused", "para4", sphere_20k),
+            reference("perspective quad", "tex2-persp", 0),
+            reference("20k sphere, four passes", "para4", sphere_20k)};
 }
 
 std::vector<Work> quick_works() { return {quad(), sphere_one_pass(), sphere_four_passes()}; }

@@ -17,15 +17,17 @@ Contestant steady(const std::string& name, double cpu, double wall) {
 }
 
 Contest contest() {
-    return {"work",
-            1e6,
-            {steady("ours", 0.002, 0.004), steady("peer", 0.006, 0.006)},
-            {{"ours", "peer", {2.0, 4.0}},
-             {"ours", "peer", {}, true},
-             {"ours", "peer", {}, false, 2.0},
-             {"ours", "absent", {2.0, {}}},
-             {"absent", "peer"}},
-            3};
+    return {
+        "work",
+        1e6,
+        {steady("ours", 0.002, 0.004), steady("alone", 0.001, 0.001), steady("peer", 0.006, 0.006)},
+        {{"ours", "peer", {2.0, 4.0}},
+         {"ours", "peer", {}, true},
+         {"ours", "peer", {}, false, 2.0},
+         {"ours", "absent"},
+         {"alone", "absent", {2.0, {}}},
+         {"absent", "peer"}},
+        3};
 }
 
 }  // namespace
@@ -88,7 +90,7 @@ TEST_CASE("A child gives its output, and an error if it fails") {
     const ChildResult child =
         run_child({"/bin/sh", "-c", "echo $TWOFOLD_TEST"}, {{"TWOFOLD_TEST", "heard"}});
     CHECK(child.output == "heard\n");
-    CHECK(child.peak_mebibytes > 0.0);
+    CHECK(child.wall > 0.0);
     CHECK_THROWS_WITH(run_child({"/no/such/program"}), Catch::Contains("/no/such/program"));
     CHECK_THROWS_WITH(run_child({"/bin/sh", "-c", "exit 3"}), Catch::Contains("exit code 3"));
     CHECK_THROWS_WITH(run_child({"/bin/sh", "-c", "kill -9 $$"}), Catch::Contains("signal 9"));
