@@ -21,7 +21,8 @@ double wall_seconds() { return seconds_of(CLOCK_MONOTONIC); }
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 FrameTimes time_frames(const std::function<void()>& draw, double seconds, int frames) {

@@ -18,7 +18,7 @@ FrameTimes time_frames(const std::function<void()>& draw, double seconds, int fr
 /// Seconds of a steady clock.
 double wall_seconds();
 
-/// The middle value, of an even number the upper one. @param values not empty
+/// The middle value, of an even number the mean of the two. @param values not empty
 double median(std::vector<double> values);
 
 }  // namespace twofold::bench

@@ -51,6 +51,11 @@ TEST_CASE("A floor is missed only by a peer that is there") {
     CHECK(meets_floor(rows[0], 0.5));
 }
 
+TEST_CASE("The median of an even number of values is the mean of the middle two") {
+    CHECK(median({3.0, 1.0, 2.0}) == 2.0);
+    CHECK(median({4.0, 1.0, 2.0, 3.0}) == 2.5);
+}
+
 TEST_CASE("The slope of a series is what one more unit costs") {
     const Series series{"work", "pixel", {{100, 2.0}, {300, 3.0}}};
     CHECK(series.slope(1) == Approx(0.005));
