@@ -163,12 +163,20 @@ struct GroupAlpha {
     std::vector<std::vector<AlphaOutcome>> outcomes;  ///< [pass][triangle]; empty: open
 };
 
+/// Whether a fragment's alpha is the product of the units' and its own, so that one zero decides.
+template <NumericModel M>
+bool multiplies_alpha(const BoundPass<M>& pass) {
+    for (const BoundUnit<M>& unit : pass.units)
+        if (unit.state.env.mode != TexEnvMode::modulate) return false;
+    return !pass.combiners && !pass.state.color_sum && !pass.state.fog;
+}
+
 template <NumericModel M>
 void add_pass(GroupAlpha<M>& group, const BoundPass<M>& pass,
               const std::array<std::size_t, max_units>& set_of) {
     auto& units = group.of_pass.emplace_back();
     group.outcomes.emplace_back();
-    if (!pass.state.alpha_test || pass.combiners || pass.state.color_sum || pass.state.fog) return;
+    if (!pass.state.alpha_test || !multiplies_alpha(pass)) return;
     for (const BoundUnit<M>& unit : pass.units) {
         units.push_back(GroupAlpha<M>::none);
         if (!alpha_is_bounded(unit)) continue;

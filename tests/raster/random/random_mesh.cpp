@@ -145,7 +145,7 @@ std::vector<Vec4> random_colors(Dice& dice, std::size_t n) {
 std::vector<double> random_w(Dice& dice, std::size_t n) {
     std::vector<double> w;
     for (std::size_t i = 0; i < n; ++i)
-        w.push_back(dice.chance(0.03) ? dice.one_of({0.0, 1e-30, -0.0, 1e9})
+        w.push_back(dice.chance(0.03) ? dice.one_of({0.0, 1e-30, -0.0, -1.0, 1e9})
                                       : dice.real(0.25, 4.0));
     return w;
 }
