@@ -88,7 +88,9 @@ class Custom : public Nv17 {
     int scale_and_bias(int x, CombinerScale scale, bool bias) const;
 
     /// The fraction bits rounded away, halves up.
-    int finish(int a) const { return (a + (from_byte(1) >> 1)) >> fraction_bits(); }
+    int finish(int a) const {
+        return clamped((a + (from_byte(1) >> 1)) >> fraction_bits(), 0, 255);
+    }
     int quantise(int p, int bits) const {
         const int kept = settings_.framebuffer_bits;
         return keep_high_bits(p, bits < kept ? bits : kept);

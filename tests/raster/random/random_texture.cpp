@@ -69,8 +69,10 @@ Texture random_texture(Dice& dice) {
     const int kind = dice.integer(0, 10);
     const auto format = dice.up_to(TextureFormat::dxt5);
     const bool cube = dice.chance(0.1);
-    const int width = cube ? dice.integer(1, 8) : random_side(dice);
-    const int height = cube ? width : random_side(dice);
+    const int inner_width = cube ? dice.integer(1, 8) : random_side(dice);
+    const int inner_height = cube ? inner_width : random_side(dice);
+    const int border = kind < 8 && dice.chance(0.1) ? 1 : 0;
+    const int width = inner_width + 2 * border, height = inner_height + 2 * border;
     Texture texture{width, height, random_texels(dice, width, height, kind, format)};
     if (std::holds_alternative<PackedTexels>(texture.texels))
         texture.base_format = base_format_of(format);
@@ -78,8 +80,11 @@ Texture random_texture(Dice& dice) {
     for (int face = 1; cube && face < 6; ++face)
         texture.cube_faces.push_back(
             {width, height, random_texels(dice, width, height, kind, format)});
-    if (!cube && is_power_of_two(width) && is_power_of_two(height) && dice.chance(0.4))
-        texture.mipmaps = box_mipmaps(width, height, texture.texels);
+    texture.border = std::holds_alternative<PackedTexels>(texture.texels) ? 0 : border;
+    const bool halves = is_power_of_two(width - 2 * texture.border) &&
+                        is_power_of_two(height - 2 * texture.border);
+    if (!cube && halves && dice.chance(0.4))
+        texture.mipmaps = box_mipmaps(width, height, texture.texels, texture.border);
     return texture;
 }
 

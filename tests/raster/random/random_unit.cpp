@@ -72,7 +72,7 @@ void random_target(Dice& dice, TextureUnitState& unit, const Texture* texture) {
     }
     if (texture != nullptr && !texture->cube_faces.empty())
         unit.target = TextureTarget::cube_map;
-    else if (dice.chance(0.1))
+    else if (dice.chance(0.1) && (texture == nullptr || texture->border == 0))
         make_rectangle(unit, texture);
 }
 

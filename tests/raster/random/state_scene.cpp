@@ -53,9 +53,10 @@ TextureImageSpec image_spec(int width, int height, const Texels& texels,
 TextureSpec texture_spec(const Texture& texture, std::vector<std::string>& notes) {
     TextureSpec spec;
     spec.images.push_back(image_spec(texture.width, texture.height, texture.texels, notes));
-    for (const TextureImage& face : texture.cube_faces)
+    for (const TextureFace& face : texture.cube_faces)
         spec.images.push_back(image_spec(face.width, face.height, face.texels, notes));
     spec.base_format = texture.base_format;
+    spec.border = texture.border;
     spec.mipmaps = texture.mipmaps.empty() ? Mipmaps::none : Mipmaps::box;
     return spec;
 }
