@@ -44,19 +44,42 @@ HWY_INLINE V quantised(const DepthRule& rule, V z) {
     return hn::Add(hn::Mul(inside, hn::Set(d, rule.steps)), hn::Set(d, rule.half));
 }
 
-/// z0 + more / area as an integer of the depth buffer. The division is done only where a product
-/// with 1 / area leaves a doubt.
-HWY_INLINE V depth_at(const Triangle& t, const DepthRule& rule, V more, std::uint32_t*) {
+/// Depth in units of the buffer, before it is cut, as a number linear in the window: within 2^-24 of
+/// what divisions give if the triangle's depths are moderate.
+struct NearDepth {
+    double first, per_e1, per_e2, least, most;
+
+    NearDepth(const Triangle& t, const DepthRule& rule)
+        : first(t.z0 * rule.steps + rule.half),
+          per_e1(t.dz1 * rule.steps * t.over_area),
+          per_e2(t.dz2 * rule.steps * t.over_area),
+          least(rule.half),
+          most(rule.steps + rule.half) {}
+
+    HWY_INLINE V at(V e1, V e2) const {
+        const D d;
+        const V z = hn::Add(hn::Set(d, first), hn::Add(hn::Mul(e1, hn::Set(d, per_e1)),
+                                                       hn::Mul(e2, hn::Set(d, per_e2))));
+        return hn::Min(hn::Max(z, hn::Set(d, least)), hn::Set(d, most));
+    }
+};
+
+HWY_INLINE V exact_depth(const Triangle& t, V e1, V e2) {
     const D d;
-    const V z0 = hn::Set(d, t.z0);
-    const V near = quantised(rule, hn::Add(z0, hn::Mul(more, hn::Set(d, t.over_area))));
-    const V whole = hn::Floor(near);
-    if (HWY_LIKELY(t.moderate_depth && !in_doubt(near, whole))) return whole;
-    return hn::Floor(quantised(rule, hn::Add(z0, hn::Div(more, hn::Set(d, t.area)))));
-}
-HWY_INLINE V depth_at(const Triangle& t, const DepthRule&, V more, double*) {
-    const D d;
+    const V more = hn::Add(hn::Mul(e1, hn::Set(d, t.dz1)), hn::Mul(e2, hn::Set(d, t.dz2)));
     return hn::Add(hn::Set(d, t.z0), hn::Div(more, hn::Set(d, t.area)));
+}
+
+/// Depth as the buffer holds it. Divisions are done only where they could make a difference.
+HWY_INLINE V depth_at(const Triangle& t, const DepthRule& rule, const NearDepth& near, V e1, V e2,
+                      std::uint32_t*) {
+    const V z = near.at(e1, e2);
+    const V whole = hn::Floor(z);
+    if (HWY_LIKELY(t.moderate_depth && !in_doubt(z, whole))) return whole;
+    return hn::Floor(quantised(rule, exact_depth(t, e1, e2)));
+}
+HWY_INLINE V depth_at(const Triangle& t, const DepthRule&, const NearDepth&, V e1, V e2, double*) {
+    return exact_depth(t, e1, e2);
 }
 
 HWY_INLINE V loaded(const std::uint32_t* p) {
@@ -88,7 +111,7 @@ int cover_rows(const Triangle& t, const DepthRule& rule, Depth* depth, int row, 
     const V first2 = hn::Mul(iota, hn::Set(d, t.dx[2]));
     const V least0 = hn::Set(d, t.least[0]), least1 = hn::Set(d, t.least[1]);
     const V least2 = hn::Set(d, t.least[2]);
-    const V dz1 = hn::Set(d, t.dz1), dz2 = hn::Set(d, t.dz2);
+    const NearDepth near(t, rule);
     const bool late = rule.computed && !rule.early;
     std::size_t n = 0;
     for (; row < t.y1 && n < span_capacity; ++row) {
@@ -107,7 +130,7 @@ int cover_rows(const Triangle& t, const DepthRule& rule, Depth* depth, int row, 
             const int at = row * tile_edge + x;
             V z = hn::Zero(d);
             if (rule.computed) {
-                z = depth_at(t, rule, hn::Add(hn::Mul(w1, dz1), hn::Mul(w2, dz2)), depth);
+                z = depth_at(t, rule, near, w1, w2, depth);
                 if (rule.early) {
                     const V old = loaded(depth + at);
                     m = hn::And(m, passes(rule.func, z, old));

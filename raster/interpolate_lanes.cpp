@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "raster/lane_targets.hpp"
 #include "raster/lanes.hpp"
 #undef HWY_TARGET_INCLUDE
@@ -34,56 +37,112 @@ HWY_INLINE hn::Vec<F> as_real(F f, V v) {
 template <class Real>
 using Narrow = hn::Rebind<Real, D>;
 
-/// The coordinates of one unit, as interpolate_coords() of interpolate.hpp computes them: calls
-/// visit(i, coordinates) for each vector of a span.
-template <class Real, class Visit>
-HWY_INLINE void for_each_coordinates(const Triangle& t, const Corners<Real>& c, std::size_t u,
-                                     const Span& span, Visit&& visit) {
+/// The coordinates of one unit at a vector of a span, as interpolate_coords() of interpolate.hpp
+/// computes them.
+template <class Real>
+HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t, const Corners<Real>& c,
+                                                    std::size_t u, const Weights& w) {
     const Narrow<Real> r;
-    const bool over_w = c.over_w || t.equal_w;
-    const auto& [s, p, q] = c.coords[u];
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(r)) {
-        const Weights w = weights_at(t, span, i);
-        auto w0 = as_real(r, w.e0), w1 = as_real(r, w.e1), w2 = as_real(r, w.e2);
-        if (!over_w) {
-            w0 = hn::Mul(w0, hn::Set(r, static_cast<Real>(t.inverse_w[0])));
-            w1 = hn::Mul(w1, hn::Set(r, static_cast<Real>(t.inverse_w[1])));
-            w2 = hn::Mul(w2, hn::Set(r, static_cast<Real>(t.inverse_w[2])));
+    auto w0 = as_real(r, w.e0), w1 = as_real(r, w.e1), w2 = as_real(r, w.e2);
+    if (!c.over_w && !t.equal_w) {
+        w0 = hn::Mul(w0, hn::Set(r, static_cast<Real>(t.inverse_w[0])));
+        w1 = hn::Mul(w1, hn::Set(r, static_cast<Real>(t.inverse_w[1])));
+        w2 = hn::Mul(w2, hn::Set(r, static_cast<Real>(t.inverse_w[2])));
+    }
+    const auto sum = [&](const std::array<Real, 3>& v) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(w0, hn::Set(r, v[0])), hn::Mul(w1, hn::Set(r, v[1]))),
+                       hn::Mul(w2, hn::Set(r, v[2])));
+    };
+    return {sum(c.coords[u][0]), sum(c.coords[u][1]), sum(c.coords[u][2])};
+}
+
+/// A number that is linear in the window: first + e1 per_e1 + e2 per_e2.
+struct Linear {
+    double first, per_e1, per_e2;
+
+    Linear(const Triangle& t, const std::array<double, 3>& v)
+        : first(v[0] * t.area), per_e1(v[1] - v[0]), per_e2(v[2] - v[0]) {}
+
+    HWY_INLINE V at(V e1, V e2) const {
+        const D d;
+        return hn::Add(hn::Set(d, first), hn::Add(hn::Mul(e1, hn::Set(d, per_e1)),
+                                                  hn::Mul(e2, hn::Set(d, per_e2))));
+    }
+};
+
+double largest(const std::array<double, 3>& v) {
+    return std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+}
+
+/// A unit's place in its texture as two linear numbers over a third: in 1/256 texel from the centre
+/// of texel (0, 0). Near the reference's numbers by far less than `doubt` if it is `usable`.
+struct Near {
+    std::array<double, 3> x, y, q;
+    bool usable;
+
+    Near(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
+         std::size_t u) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double w = c.over_w || t.equal_w ? 1.0 : t.inverse_w[k];
+            q[k] = w * c.coords[u][2][k];
+            x[k] = w * c.coords[u][0][k] * (256.0 * unit.image.width) - 128.0 * q[k];
+            y[k] = w * c.coords[u][1][k] * (256.0 * unit.image.height) - 128.0 * q[k];
         }
-        const auto sum = [&](const std::array<Real, 3>& v) HWY_ATTR {
-            return hn::Add(
-                hn::Add(hn::Mul(w0, hn::Set(r, v[0])), hn::Mul(w1, hn::Set(r, v[1]))),
-                hn::Mul(w2, hn::Set(r, v[2])));
-        };
-        visit(i, Coordinates<Narrow<Real>>{sum(s), sum(p), sum(q)});
+        // Both this and the reference stray by 2^-49 of the largest place, times the spread of q.
+        const double least = std::min(std::min(std::fabs(q[0]), std::fabs(q[1])),
+                                     std::fabs(q[2]));
+        usable = knows_reciprocals(unit) && largest(x) <= 0x1p26 * least &&
+                 largest(y) <= 0x1p26 * least && largest(q) <= 0x1p10 * least;
+    }
+};
+
+/// Footprints by linear numbers and a reciprocal where no doubt is left, else as the reference does.
+void place_near(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
+                std::size_t u, const Near& near, const Span& span, ByteBatch& out) {
+    const D d;
+    const I di;
+    const Linear lx(t, near.x), ly(t, near.y), lq(t, near.q);
+    auto* const offset = out.offset[u].data() + out.size;
+    auto* const weights = reinterpret_cast<std::int32_t*>(out.weights[u].data() + out.size);
+    for (std::size_t i = 0; i < span.size; i += hn::Lanes(d)) {
+        const V e1 = hn::Load(d, span.e1.data() + i), e2 = hn::Load(d, span.e2.data() + i);
+        const V over_q = near_reciprocal(lq.at(e1, e2));
+        const V x = hn::Mul(lx.at(e1, e2), over_q), y = hn::Mul(ly.at(e1, e2), over_q);
+        const V fx = hn::Floor(x), fy = hn::Floor(y);
+        const Footprint8 f =
+            HWY_LIKELY(!in_doubt(x, fx, y, fy))
+                ? footprint_at(unit.image, fx, fy)
+                : footprint_by_division(unit, coordinates_at(t, c, u, weights_at(t, span, i)));
+        hn::StoreU(f.offset, di, offset + i);
+        hn::StoreU(f.weights, di, weights + i);
     }
 }
 
 void place_bytes(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
                  std::size_t u, const Span& span, ByteBatch& out) {
     const I di;
-    const bool reciprocals = knows_reciprocals(unit);
+    const Near near(t, c, unit, u);
+    if (near.usable) return place_near(t, c, unit, u, near, span, out);
     auto* const offset = out.offset[u].data() + out.size;
     auto* const weights = reinterpret_cast<std::int32_t*>(out.weights[u].data() + out.size);
-    for_each_coordinates(t, c, u, span, [&](std::size_t i, const Coordinates<D>& at) HWY_ATTR {
+    for (std::size_t i = 0; i < span.size; i += hn::Lanes(di)) {
         const Footprint8 f =
-            reciprocals ? footprint_by_reciprocal(unit, at) : footprint_by_division(unit, at);
+            footprint_by_division(unit, coordinates_at(t, c, u, weights_at(t, span, i)));
         hn::StoreU(f.offset, di, offset + i);
         hn::StoreU(f.weights, di, weights + i);
-    });
+    }
 }
 
 template <class Real>
 void place_reals(const Triangle& t, const Corners<Real>& c, const Unit<Color<Real>>& unit,
                  std::size_t u, const Span& span, RealBatch<Real>& out) {
     const Narrow<Real> r;
-    for_each_coordinates(t, c, u, span,
-                         [&](std::size_t i, const Coordinates<Narrow<Real>>& at) HWY_ATTR {
-                             const auto f = footprint(r, unit, at);
-                             hn::StoreU(f.offset, I(), out.offset[u].data() + out.size + i);
-                             hn::StoreU(f.a, r, out.a[u].data() + out.size + i);
-                             hn::StoreU(f.b, r, out.b[u].data() + out.size + i);
-                         });
+    for (std::size_t i = 0; i < span.size; i += hn::Lanes(r)) {
+        const auto f = footprint(r, unit, coordinates_at(t, c, u, weights_at(t, span, i)));
+        hn::StoreU(f.offset, I(), out.offset[u].data() + out.size + i);
+        hn::StoreU(f.a, r, out.a[u].data() + out.size + i);
+        hn::StoreU(f.b, r, out.b[u].data() + out.size + i);
+    }
 }
 
 /// Nv17::iterate_color.

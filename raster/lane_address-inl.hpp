@@ -129,17 +129,6 @@ HWY_INLINE V near_reciprocal(V q) {
     return hn::Mul(r, hn::Sub(hn::Set(d, 2.0), hn::Mul(q, r)));
 }
 
-/// A coordinate of LINEAR and CLAMP_TO_EDGE in 1/256 texel, floored: the lesser texel and the
-/// weight of the next. `certain` is cleared where a division could say otherwise.
-HWY_INLINE V fixed_coordinate(V s, V near_over_q, int size, bool& certain) {
-    const D d;
-    const V steps = hn::Mul(hn::Mul(s, hn::Set(d, 256.0 * size)), near_over_q);
-    const V from_centre = hn::Sub(steps, hn::Set(d, 128.0));
-    const V whole = hn::Floor(from_centre);
-    certain = certain && !in_doubt(from_centre, whole);
-    return hn::Min(hn::Max(whole, hn::Zero(d)), hn::Set(d, 256.0 * (size - 1)));
-}
-
 /// Whether a unit's coordinates may be found by reciprocals.
 inline bool knows_reciprocals(const Unit<std::uint32_t>& unit) {
     return unit.linear && unit.divide_by_q && !unit.in_texels &&
@@ -147,18 +136,18 @@ inline bool knows_reciprocals(const Unit<std::uint32_t>& unit) {
            unit.image.width <= 4096 && unit.image.height <= 4096;
 }
 
-/// The same footprint as by division, which is left to the vectors that are in doubt.
-HWY_INLINE Footprint8 footprint_by_reciprocal(const Unit<std::uint32_t>& unit,
-                                              const Coordinates<D>& c) {
+/// The footprint at a place from the centre of texel (0, 0) in 1/256 texel, floored; LINEAR and
+/// CLAMP_TO_EDGE.
+HWY_INLINE Footprint8 footprint_at(const Image<std::uint32_t>& image, V x, V y) {
+    const D d;
     const I di;
-    const V over_q = near_reciprocal(c.q);
-    bool certain = true;
-    const V x = fixed_coordinate(c.s, over_q, unit.image.width, certain);
-    const V y = fixed_coordinate(c.t, over_q, unit.image.height, certain);
-    if (HWY_UNLIKELY(!certain)) return footprint_by_division(unit, c);
-    const auto ix = hn::DemoteTo(di, x), iy = hn::DemoteTo(di, y), low = hn::Set(di, 255);
-    const auto line = hn::Mul(hn::ShiftRight<8>(iy), hn::Set(di, unit.image.stride));
-    const auto first = hn::Set(di, unit.image.stride + 1);
+    const auto held = [&](V v, int size) HWY_ATTR {
+        return hn::DemoteTo(
+            di, hn::Min(hn::Max(v, hn::Zero(d)), hn::Set(d, 256.0 * (size - 1))));
+    };
+    const auto ix = held(x, image.width), iy = held(y, image.height), low = hn::Set(di, 255);
+    const auto line = hn::Mul(hn::ShiftRight<8>(iy), hn::Set(di, image.stride));
+    const auto first = hn::Set(di, image.stride + 1);
     return {hn::Add(hn::Add(line, hn::ShiftRight<8>(ix)), first),
             hn::Or(hn::And(ix, low), hn::ShiftLeft<16>(hn::And(iy, low)))};
 }

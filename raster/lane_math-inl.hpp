@@ -20,16 +20,17 @@ using Mask = hn::Mask<D>;
 using I = hn::Rebind<std::int32_t, D>;
 
 /// How near to an integer a number may be before its floor is in doubt. Products with a reciprocal
-/// stray from quotients by less: 2^-51 of at most 2^24.
+/// stray from quotients by less.
 constexpr double doubt = 0x1p-20;
 
-/// Whether a lane's floor could be another's if the number were computed with divisions.
-HWY_INLINE bool in_doubt(V x, V floor) {
+/// Whether a lane's floor could be another's if the numbers were computed with divisions.
+HWY_INLINE bool in_doubt(V x, V floor_x, V y, V floor_y) {
     const D d;
-    const V fraction = hn::Sub(x, floor);
-    return !hn::AllFalse(d, hn::Or(hn::Lt(fraction, hn::Set(d, doubt)),
-                                   hn::Gt(fraction, hn::Set(d, 1.0 - doubt))));
+    const V a = hn::Sub(x, floor_x), b = hn::Sub(y, floor_y);
+    return !hn::AllFalse(d, hn::Or(hn::Lt(hn::Min(a, b), hn::Set(d, doubt)),
+                                   hn::Gt(hn::Max(a, b), hn::Set(d, 1.0 - doubt))));
 }
+HWY_INLINE bool in_doubt(V x, V floor_x) { return in_doubt(x, floor_x, x, floor_x); }
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
