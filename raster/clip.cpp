@@ -3,9 +3,6 @@
 namespace twofold {
 namespace {
 
-/// Smallest w that is drawn: keeps 1/w and everything divided by it finite. @source chosen
-constexpr double smallest_w = 1.0 / (1 << 30);
-
 /// Signed distances of a vertex from the seven planes; inside is >= 0. The plane of w comes first:
 /// behind it all w are positive.
 std::array<double, 7> distances(const Vec4& c, const Viewport& view) {

@@ -14,6 +14,9 @@ inline constexpr double guard_band = 32768.0;
 /// Vertices beyond this magnitude, in any clip coordinate, make their triangle unusable (R13).
 inline constexpr double largest_clip_coordinate = 18446744073709551616.0;  // 2^64
 
+/// Smallest w that is drawn: keeps 1/w and everything divided by it finite. @source chosen
+inline constexpr double smallest_w = 1.0 / (1 << 30);
+
 struct PictureSize {
     int width, height;  ///< pixels
 };

@@ -80,56 +80,77 @@ struct Near {
     std::array<double, 3> x, y, q;
     bool usable;
 
-    Near(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
+    Near(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
          std::size_t u) {
+        usable = false;
+        x = y = q = {};
+        if (u >= s.units || !knows_reciprocals(s.unit[u])) return;
+        const Image<std::uint32_t>& image = s.unit[u].image;
         for (std::size_t k = 0; k < 3; ++k) {
             const double w = c.over_w || t.equal_w ? 1.0 : t.inverse_w[k];
             q[k] = w * c.coords[u][2][k];
-            x[k] = w * c.coords[u][0][k] * (256.0 * unit.image.width) - 128.0 * q[k];
-            y[k] = w * c.coords[u][1][k] * (256.0 * unit.image.height) - 128.0 * q[k];
+            x[k] = w * c.coords[u][0][k] * (256.0 * image.width) - 128.0 * q[k];
+            y[k] = w * c.coords[u][1][k] * (256.0 * image.height) - 128.0 * q[k];
         }
         // Both this and the reference stray by 2^-49 of the largest place, times the spread of q.
         const double least = std::min(std::min(std::fabs(q[0]), std::fabs(q[1])),
                                      std::fabs(q[2]));
-        usable = knows_reciprocals(unit) && largest(x) <= 0x1p26 * least &&
-                 largest(y) <= 0x1p26 * least && largest(q) <= 0x1p10 * least;
+        usable = largest(x) <= 0x1p26 * least && largest(y) <= 0x1p26 * least &&
+                 largest(q) <= 0x1p10 * least;
     }
 };
 
+/// The same for both units: one reciprocal serves them.
+bool same_q(const Near& a, const Near& b) { return a.usable && b.usable && a.q == b.q; }
+
 /// Footprints by linear numbers and a reciprocal where no doubt is left, else as the reference does.
-void place_near(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
-                std::size_t u, const Near& near, const Span& span, ByteBatch& out) {
+void place_near(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+                std::size_t first, std::size_t units, const std::array<Near, lane_units>& near,
+                const Span& span, ByteBatch& out) {
     const D d;
     const I di;
-    const Linear lx(t, near.x), ly(t, near.y), lq(t, near.q);
-    auto* const offset = out.offset[u].data() + out.size;
-    auto* const weights = reinterpret_cast<std::int32_t*>(out.weights[u].data() + out.size);
+    const Linear lq(t, near[first].q);
+    const std::array<Linear, lane_units> lx{Linear(t, near[0].x), Linear(t, near[1].x)};
+    const std::array<Linear, lane_units> ly{Linear(t, near[0].y), Linear(t, near[1].y)};
     for (std::size_t i = 0; i < span.size; i += hn::Lanes(d)) {
         const V e1 = hn::Load(d, span.e1.data() + i), e2 = hn::Load(d, span.e2.data() + i);
         const V over_q = near_reciprocal(lq.at(e1, e2));
-        const V x = hn::Mul(lx.at(e1, e2), over_q), y = hn::Mul(ly.at(e1, e2), over_q);
-        const V fx = hn::Floor(x), fy = hn::Floor(y);
-        const Footprint8 f =
-            HWY_LIKELY(!in_doubt(x, fx, y, fy))
-                ? footprint_at(unit.image, fx, fy)
-                : footprint_by_division(unit, coordinates_at(t, c, u, weights_at(t, span, i)));
-        hn::StoreU(f.offset, di, offset + i);
-        hn::StoreU(f.weights, di, weights + i);
+        for (std::size_t u = first; u < first + units; ++u) {
+            const V x = hn::Mul(lx[u].at(e1, e2), over_q), y = hn::Mul(ly[u].at(e1, e2), over_q);
+            const V fx = hn::Floor(x), fy = hn::Floor(y);
+            const Footprint8 f =
+                HWY_LIKELY(!in_doubt(x, fx, y, fy))
+                    ? footprint_at(s.unit[u].image, fx, fy)
+                    : footprint_by_division(s.unit[u],
+                                            coordinates_at(t, c, u, weights_at(t, span, i)));
+            const std::size_t to = out.size + i;
+            hn::StoreU(f.offset, di, out.offset[u].data() + to);
+            hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + to));
+        }
     }
 }
 
-void place_bytes(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
-                 std::size_t u, const Span& span, ByteBatch& out) {
+void place_exactly(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
+                   std::size_t u, const Span& span, ByteBatch& out) {
     const I di;
-    const Near near(t, c, unit, u);
-    if (near.usable) return place_near(t, c, unit, u, near, span, out);
-    auto* const offset = out.offset[u].data() + out.size;
-    auto* const weights = reinterpret_cast<std::int32_t*>(out.weights[u].data() + out.size);
     for (std::size_t i = 0; i < span.size; i += hn::Lanes(di)) {
         const Footprint8 f =
             footprint_by_division(unit, coordinates_at(t, c, u, weights_at(t, span, i)));
-        hn::StoreU(f.offset, di, offset + i);
-        hn::StoreU(f.weights, di, weights + i);
+        const std::size_t to = out.size + i;
+        hn::StoreU(f.offset, di, out.offset[u].data() + to);
+        hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + to));
+    }
+}
+
+void place_bytes(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+                 const Span& span, ByteBatch& out) {
+    const std::array<Near, lane_units> near{Near(t, c, s, 0), Near(t, c, s, 1)};
+    if (same_q(near[0], near[1])) return place_near(t, c, s, 0, s.units, near, span, out);
+    for (std::size_t u = 0; u < s.units; ++u) {
+        if (near[u].usable)
+            place_near(t, c, s, u, 1, near, span, out);
+        else
+            place_exactly(t, c, s.unit[u], u, span, out);
     }
 }
 
@@ -216,7 +237,7 @@ void copy_places(const Span& span, BatchPlaces& out, std::size_t size) {
 
 void interpolate_u8(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
                     const Span& span, ByteBatch& out) {
-    for (std::size_t u = 0; u < s.units; ++u) place_bytes(t, c, s.unit[u], u, span, out);
+    place_bytes(t, c, s, span, out);
     copy_places(span, out.places, out.size);
     if (c.one_color) {
         const std::uint32_t color = packed_bytes(c.bytes[0]);

@@ -1,5 +1,6 @@
 #include "raster/vertex_lanes.hpp"
 
+#include "raster/clip.hpp"
 #include "texunit/nv1x_seeds.hpp"
 
 #include "raster/lane_targets.hpp"
@@ -297,10 +298,47 @@ HWY_INLINE void project(const VertexRule& rule, const Four& clip, V rw, std::siz
     hn::Store(hn::DemoteTo(di, hn::Mul(window(clip.y, 1), snap)), di, out.y.data() + i);
     hn::Store(window(clip.z, 2), d, out.z.data() + i);
     hn::Store(rule.perspective ? A::emitted_reciprocal(rw) : set(1.0), d, out.inverse_w.data() + i);
-    hn::Store(clip.x, d, out.clip[0].data() + i);
-    hn::Store(clip.y, d, out.clip[1].data() + i);
-    hn::Store(clip.z, d, out.clip[2].data() + i);
-    hn::Store(clip.w, d, out.clip[3].data() + i);
+}
+
+/// Bits gathered lane by lane.
+struct Bits {
+    hn::Vec<U> value;
+
+    HWY_INLINE void add(Mask m, int bit) {
+        const U u;
+        value = hn::Or(value, hn::IfThenElseZero(hn::RebindMask(u, m),
+                                                 hn::Set(u, std::uint64_t{1} << bit)));
+    }
+};
+
+HWY_INLINE Mask negative(V v) { return hn::Lt(v, hn::Zero(D())); }
+HWY_INLINE Mask within(V v, double limit) { return hn::Le(hn::Abs(v), set(limit)); }
+
+/// outcode() of clip.hpp.
+HWY_NOINLINE hn::Vec<U> outcodes(const VertexRule& rule, const Four& c) {
+    const auto moved = [&](V v, std::size_t k) HWY_ATTR {
+        return hn::Add(v, hn::Mul(set(rule.offset_f64[k]), c.w));
+    };
+    const V x = moved(c.x, 0), y = moved(c.y, 1), z = moved(c.z, 2);
+    const V band = hn::Mul(set(guard_band), c.w);
+    const V right = hn::Mul(set(rule.width + 1.0), c.w), below = hn::Mul(set(rule.height + 1.0), c.w);
+    Bits bits{hn::Zero(U())};
+    bits.add(negative(hn::Sub(c.w, set(smallest_w))), 0);
+    bits.add(negative(z), 1);
+    bits.add(negative(hn::Sub(c.w, z)), 2);
+    bits.add(negative(hn::Add(band, x)), 3);
+    bits.add(negative(hn::Sub(band, x)), 4);
+    bits.add(negative(hn::Add(band, y)), 5);
+    bits.add(negative(hn::Sub(band, y)), 6);
+    bits.add(negative(hn::Add(c.w, x)), 7);
+    bits.add(negative(hn::Sub(right, x)), 8);
+    bits.add(negative(hn::Add(c.w, y)), 9);
+    bits.add(negative(hn::Sub(below, y)), 10);
+    const Mask usable = hn::And(
+        hn::And(within(c.x, largest_clip_coordinate), within(c.y, largest_clip_coordinate)),
+        hn::And(within(c.z, largest_clip_coordinate), within(c.w, largest_clip_coordinate)));
+    const U u;
+    return hn::IfThenElse(hn::RebindMask(u, usable), bits.value, hn::Set(u, unusable_vertex));
 }
 
 /// One vector of vertices: `from` in the mesh, `i` in the block.
@@ -318,6 +356,7 @@ HWY_INLINE void transform_vector(const VertexRule& rule, const VertexInput& in, 
     const Four clip = multiply<A>(rule.composite, s.object);
     const V rw = A::clip_reciprocal(clip.w);
     project<A>(rule, clip, rw, i, out);
+    Bits flags{hn::Zero(U())};
     for (std::size_t k = 0; k < rule.sets; ++k) {
         const auto& own = in.own[k];
         const Four c = coordinates<A>(rule.set[k], s,
@@ -330,7 +369,22 @@ HWY_INLINE void transform_vector(const VertexRule& rule, const VertexInput& in, 
         store(c.y, 1);
         store(c.z, 2);
         store(c.w, 3);
+        const V w = rule.over_w ? A::mul(c.w, rw) : c.w;
+        const auto kept = [&](std::size_t n) HWY_ATTR {
+            return within(hn::Load(d, out.coords[k][n].data() + i), largest_coordinate);
+        };
+        const int bit = static_cast<int>(k);
+        flags.add(hn::Ge(w, set(smallest_q)), bit);
+        flags.add(hn::Le(w, set(-smallest_q)), 4 + bit);
+        flags.add(hn::And(hn::And(kept(0), kept(1)), kept(3)), 8 + bit);
     }
+    const V emitted = hn::Load(d, out.inverse_w.data() + i);
+    flags.add(hn::And(within(hn::Load(d, out.z.data() + i), largest_coordinate),
+                      hn::And(hn::Ge(emitted, set(smallest_q)),
+                              hn::Le(emitted, set(largest_coordinate)))),
+              12);
+    hn::Store(flags.value, U(), out.flags.data() + i);
+    hn::Store(outcodes(rule, clip), U(), out.outcode.data() + i);
     hn::Store(hn::IfThenElseZero(wild, set(1.0)), d, out.wild.data() + i);
 }
 

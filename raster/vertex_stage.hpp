@@ -91,11 +91,15 @@ lanes::VertexRule vertex_rule(const M& m, const GroupGeometry<M>& g) {
         rule.set[k] = set_rule<A>(texgen, lane_rows<A>(g.constants.texture[k]));
         rule.needs_reflection = rule.needs_reflection || uses_reflection(texgen);
     }
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
         rule.offset[static_cast<std::size_t>(k)] = held<A>(g.rules.viewport.offset[k]);
+        rule.offset_f64[static_cast<std::size_t>(k)] = g.rules.viewport.offset[k];
+    }
     rule.snap = static_cast<double>(std::int64_t{1} << m.snap().fraction_bits);
     rule.perspective = g.rules.perspective;
     rule.over_w = M::coords_over_w && g.rules.perspective;
+    rule.width = g.rules.size.width;
+    rule.height = g.rules.size.height;
     return rule;
 }
 
@@ -144,13 +148,12 @@ void take_vertex(const GroupGeometry<M>& g, const lanes::VertexOutput& from, std
     v.y = from.y[k];
     v.z = from.z[k];
     v.inverse_w = static_cast<Real>(from.inverse_w[k]);
-    std::array<std::array<Real, 4>, max_units> coords{};
-    for (std::size_t s = 0; s < g.sets; ++s) {
+    for (std::size_t s = 0; s < g.sets; ++s)
         for (std::size_t c = 0; c < 4; ++c)
-            coords[s][c] = static_cast<Real>(from.coords[s][c][k]);
-        out.coords[s][i] = coords[s];
-    }
-    out.flags[i] = flags_of<M>(v, coords, g.sets);
+            out.coords[s][i][c] = static_cast<Real>(from.coords[s][c][k]);
+    const std::uint64_t bits = from.flags[k];
+    const auto four = [bits](int shift) { return static_cast<std::uint8_t>(bits >> shift & 15); };
+    out.flags[i] = {four(0), four(4), four(8), (bits >> 12 & 1) != 0};
 }
 
 /// Vertices first to first + count - 1 of a mesh whose colours are in place.
@@ -166,8 +169,7 @@ void place_block(const M& m, const GroupGeometry<M>& g, const VertexColumns& col
             place_vertex(m, g, i, out);
             continue;
         }
-        const Vec4 clip{block.clip[0][k], block.clip[1][k], block.clip[2][k], block.clip[3][k]};
-        out.outcodes[i] = outcode(clip, g.rules.viewport, g.rules.size);
+        out.outcodes[i] = static_cast<Outcode>(block.outcode[k]);
         if ((out.outcodes[i] & (outside_planes | unusable_vertex)) == 0)
             take_vertex(g, block, k, i, out);
     }

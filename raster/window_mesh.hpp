@@ -8,6 +8,7 @@
 #include "raster/coverage.hpp"
 #include "raster/pass_group.hpp"
 #include "raster/transform.hpp"
+#include "raster/vertex_lanes.hpp"
 #include "texunit/parallel.hpp"
 
 /// The geometry of a pass group in the window, as the fast pipeline keeps it from the vertex stage
@@ -89,10 +90,8 @@ GroupGeometry<M> group_geometry(const M& m, const Frame& frame, const PassGroup&
             group.sets.size()};
 }
 
-/// Limits within which vectors compute what single fragments do, with room to spare before any
-/// product overflows even binary32.
-inline constexpr double largest_coordinate = 1152921504606846976.0;  // 2^60
-inline constexpr double smallest_q = 1.0 / largest_coordinate;
+using lanes::largest_coordinate;
+using lanes::smallest_q;
 
 template <NumericModel M>
 VertexFlags flags_of(const PlacedVertex<M>& v,
