@@ -26,7 +26,7 @@ struct AlphaLookup {
     std::size_t set;
     int width, height;
     bool in_texels, divide_by_q;
-    int cell;           ///< texels a side
+    int cell_bits;      ///< a cell has 2^cell_bits texels a side
     int columns, rows;  ///< cells
     std::vector<Count> count;  ///< (columns + 1) x (rows + 1), rows bottom up
 
@@ -62,11 +62,13 @@ AlphaKnown cell_alpha(const M& m, const UploadedImage<M>& image, int cell, int c
 template <NumericModel M>
 AlphaLookup alpha_lookup(const M& m, const BoundUnit<M>& unit, std::size_t set) {
     const UploadedImage<M>& image = unit.texture->levels[0];
-    const int cell = (std::max(image.width, image.height) + most_cells - 1) / most_cells;
+    int cell_bits = 0;
+    while (std::max(image.width, image.height) >> cell_bits > most_cells) ++cell_bits;
+    const int cell = 1 << cell_bits;
     const int columns = (image.width + cell - 1) / cell, rows = (image.height + cell - 1) / cell;
     AlphaLookup lookup{set, image.width, image.height,
                        unit.state.target == TextureTarget::rectangle, unit.state.divide_by_q,
-                       cell, columns, rows, {}};
+                       cell_bits, columns, rows, {}};
     const auto stride = static_cast<std::size_t>(columns) + 1;
     lookup.count.resize(stride * (static_cast<std::size_t>(rows) + 1));
     for (int j = 0; j < rows; ++j) {
@@ -90,9 +92,9 @@ struct TexelPlace {
 
 template <class Real>
 TexelPlace texel_place(const AlphaLookup& lookup, const std::array<Real, 4>& coords) {
-    const double q = lookup.divide_by_q ? static_cast<double>(coords[3]) : 1.0;
+    const double over_q = lookup.divide_by_q ? 1.0 / static_cast<double>(coords[3]) : 1.0;
     const auto along = [&](Real s, int size) {
-        const double u = static_cast<double>(s) * (lookup.in_texels ? 1 : size) / q;
+        const double u = static_cast<double>(s) * (lookup.in_texels ? 1 : size) * over_q;
         return static_cast<float>(u < -32768.0 ? -32768.0 : (u > 32768.0 ? 32768.0 : u));
     };
     return {along(coords[0], lookup.width), along(coords[1], lookup.height)};
@@ -119,8 +121,8 @@ inline TexelBounds texel_bounds(float a, float b, float c, int size) {
 inline AlphaKnown alpha_known(const AlphaLookup& lookup, const std::array<TexelPlace, 3>& p) {
     const TexelBounds x = texel_bounds(p[0].u, p[1].u, p[2].u, lookup.width);
     const TexelBounds y = texel_bounds(p[0].v, p[1].v, p[2].v, lookup.height);
-    const int x0 = x.first / lookup.cell, x1 = x.last / lookup.cell + 1;
-    const int y0 = y.first / lookup.cell, y1 = y.last / lookup.cell + 1;
+    const int x0 = x.first >> lookup.cell_bits, x1 = (x.last >> lookup.cell_bits) + 1;
+    const int y0 = y.first >> lookup.cell_bits, y1 = (y.last >> lookup.cell_bits) + 1;
     const auto at = [&](int i, int j) -> const AlphaLookup::Count& {
         return lookup.count[static_cast<std::size_t>(j * (lookup.columns + 1) + i)];
     };

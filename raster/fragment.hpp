@@ -31,28 +31,28 @@ void write_color(const BoundPass<M>& pass, Color<typename M::Pixel> source, int 
     target.store_color(at, stored);
 }
 
-/// Alpha test, depth test, blend and write of a shaded fragment. One that fails a test changes
-/// nothing; without a depth test the depth buffer is not written.
+/// Alpha test and depth test of a shaded fragment for pixel `at` of the target. One that fails
+/// changes nothing; without a depth test the depth buffer is not written.
 /// @param depth  gives the fragment's depth as the buffer holds it
 template <NumericModel M, class Target, class Depth>
-void finish_fragment(const BoundPass<M>& pass, const Color<typename M::Pixel>& source, int x, int y,
-                     Depth&& depth, Target& target, DrawCounters& counters) {
+bool survives(const BoundPass<M>& pass, typename M::Pixel source_alpha, std::size_t at,
+              Depth&& depth, Target& target, DrawCounters& counters) {
     const auto& alpha = pass.state.alpha_test;
-    if (alpha && !compare(alpha->func, source[3], pass.alpha_reference)) {
+    if (alpha && !compare(alpha->func, source_alpha, pass.alpha_reference)) {
         ++counters.alpha_failed;
-        return;
+        return false;
     }
     if (const auto& test = pass.state.depth_test) {
-        typename M::Depth& stored = target.depth_at(target.index(x, y));
+        typename M::Depth& stored = target.depth_at(at);
         const typename M::Depth z = depth();
         if (!compare(test->func, z, stored)) {
             ++counters.depth_failed;
-            return;
+            return false;
         }
         if (test->write) stored = z;
     }
-    write_color(pass, source, x, y, target);
     ++counters.written;
+    return true;
 }
 
 /// A fragment's whole life: colour, alpha test, depth test, blend, write.
@@ -63,7 +63,9 @@ void draw_fragment(const BoundPass<M>& pass, const Fragment<M>& f, Target& targe
     const auto depth = [&] {
         return pass.m.depth(interpolate_depth<M>(f.edge, f.triangle), target.depth_bits);
     };
-    finish_fragment(pass, shade(pass, f, counters), f.x, f.y, depth, target, counters);
+    const auto source = shade(pass, f, counters);
+    if (survives(pass, source[3], target.index(f.x, f.y), depth, target, counters))
+        write_color(pass, source, f.x, f.y, target);
 }
 
 }  // namespace twofold

@@ -12,7 +12,7 @@
 /// presets' models compute, in the same order, so that the bits are the same.
 namespace twofold::lanes {
 
-inline constexpr int tile_edge = 64;  ///< pixels
+inline constexpr int tile_edge = 128;  ///< pixels
 inline constexpr std::size_t tile_pixels = std::size_t{tile_edge} * tile_edge;
 inline constexpr std::size_t widest = 16;          ///< lanes that a load or store may run past an end
 inline constexpr std::size_t lane_units = 2;         ///< texture units that vectors know

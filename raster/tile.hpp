@@ -222,18 +222,16 @@ void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
     for (std::size_t i = 0; i < batch.size; ++i) {
         const std::size_t at = batch.places.at[i];
         const StoredColor<M> color = shaded_color(m, tile, i);
-        if (certain && pass.plain_write) {
-            tile.color[at] = color;
+        const auto depth = [&] { return static_cast<typename M::Depth>(batch.places.z[i]); };
+        if (!certain &&
+            !survives(pass.bound, pixel_color<M>(color)[3], at, depth, tile, ignored))
             continue;
-        }
-        const int x = tile.x0 + static_cast<int>(at % lanes::tile_edge);
-        const int y = tile.y0 + static_cast<int>(at / lanes::tile_edge);
-        if (certain)
-            write_color(pass.bound, pixel_color<M>(color), x, y, tile);
+        if (pass.plain_write)
+            tile.color[at] = color;
         else
-            finish_fragment(
-                pass.bound, pixel_color<M>(color), x, y,
-                [&] { return static_cast<typename M::Depth>(batch.places.z[i]); }, tile, ignored);
+            write_color(pass.bound, pixel_color<M>(color),
+                        tile.x0 + static_cast<int>(at % lanes::tile_edge),
+                        tile.y0 + static_cast<int>(at / lanes::tile_edge), tile);
     }
     batch.size = 0;
 }

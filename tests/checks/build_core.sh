@@ -8,7 +8,7 @@ core_libraries=(texunit raster factor scenes)
 build_core() {
     local log
     log=$(mktemp) || return 2
-    if ! { cmake -S "$3" -B "$2" -DCMAKE_CXX_COMPILER="$1" -DTWOFOLD_TESTS=OFF \
+    if ! { cmake -S "$3" -B "$2" -DCMAKE_CXX_COMPILER="$1" -DTWOFOLD_TESTS=OFF -DTWOFOLD_BENCH=OFF \
                -DCMAKE_CXX_COMPILE_OBJECT="<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> $4 -o <OBJECT> -c <SOURCE>" &&
            cmake --build "$2" --target "${core_libraries[@]}" --parallel "${JOBS:-2}"; } >"$log" 2>&1; then
         cat "$log" >&2

@@ -18,7 +18,7 @@ fresh_copy() {
     mkdir "$work/copy"
     cp -R "$root/CMakeLists.txt" "$root/cmake" "$work/copy"
     local folder
-    for folder in texunit raster factor scenes study cli bench; do
+    for folder in texunit raster factor scenes study cli; do
         mkdir "$work/copy/$folder"
         cp "$root/$folder/CMakeLists.txt" "$work/copy/$folder"
         echo "namespace {}" >"$work/copy/$folder/empty.cpp"
