@@ -4,6 +4,7 @@ find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 
 # By pkg-config: Debian 12's CMake export of OpenImageIO needs files of OpenCV and of Python's Imath, which
 # its package does not depend on.

@@ -2,6 +2,7 @@
 #include <variant>
 #include <vector>
 
+#include "factor/measured_brdf.hpp"
 #include "texunit/linear.hpp"
 
 namespace twofold {
@@ -34,6 +35,6 @@ struct ModifiedPhong {
     double exponent = 50.0;  ///< N >= 0
 };
 
-using Brdf = std::variant<CookTorrance, ModifiedPhong>;
+using Brdf = std::variant<CookTorrance, ModifiedPhong, MeasuredBrdf>;
 
 }  // namespace twofold

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "factor/light_block.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 
@@ -50,6 +51,11 @@ Rgb value(const ModifiedPhong& material, Vec3 n, Vec3 v, Vec3 l) {
     return material.diffuse / exact::pi + material.specular * (scale * lobe);
 }
 
+/// What the block kernel computes for one light.
+Rgb value(const MeasuredBrdf& material, Vec3 n, Vec3 v, Vec3 l) {
+    return measured_value(*material.model, dot(n, l), dot(n, v), dot(l + v, l + v));
+}
+
 void require(bool good, std::string_view field, double number) {
     if (!good) {
         throw Error(ExitCode::failure, fmt::format("brdf: {} = {} has no meaning", field, number));
@@ -78,6 +84,12 @@ void check_fields(const ModifiedPhong& material) {
     require_reflectance(material.diffuse, "diffuse");
     require_reflectance(material.specular, "specular");
     require(material.exponent >= 0.0 && material.exponent <= 1e9, "exponent", material.exponent);
+}
+
+void check_fields(const MeasuredBrdf& material) {
+    if (material.model == nullptr)
+        throw Error(ExitCode::failure,
+                    fmt::format("brdf: '{}' was not loaded", material.source.path));
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "factor/evaluate.hpp"
+#include "factor/light_lanes.hpp"
 #include "factor/simd_clones.hpp"
 #include "texunit/exact_math.hpp"
-#include "texunit/ordered_sum.hpp"
 
 // Each helper is one loop over a run of neighbouring lights, without a branch, and is inlined into
 // the block_sum of its material, which is compiled once for each vector width. A light below the
@@ -14,43 +14,6 @@
 
 namespace twofold {
 namespace {
-
-/// One value a light.
-struct alignas(64) Lanes {
-    double at[light_block];
-};
-
-/// The terms of a block, a channel each; those of patches left out stay +0.0.
-using Terms = std::array<Lanes, 3>;
-
-/// Lights [first, first + count) of a block: patches without a gap between them.
-struct LightRun {
-    std::size_t first;
-    std::size_t count;
-};
-
-/// The first run of lit patches that begins at light `from` of the block or later; empty at the
-/// end.
-inline LightRun next_run(const LightBlock& block, std::size_t from) {
-    const auto lit = [&](std::size_t light) {
-        return (block.lit >> (light / light_patch) & 1U) != 0;
-    };
-    std::size_t first = from;
-    while (first < block.count && !lit(first)) {
-        first += light_patch;
-    }
-    std::size_t end = first;
-    while (end < block.count && lit(end)) {
-        end += light_patch;
-    }
-    first = first < block.count ? first : block.count;
-    return {first, (end < block.count ? end : block.count) - first};
-}
-
-inline Rgb sum_of(const Terms& terms, std::size_t count) {
-    return {ordered_block_sum(terms[0].at, count), ordered_block_sum(terms[1].at, count),
-            ordered_block_sum(terms[2].at, count)};
-}
 
 /// What Cook-Torrance needs of a light, apart from its colour.
 struct Geometry {
@@ -134,14 +97,6 @@ struct Geometry {
     for (std::size_t i = 0; i < count; ++i) {
         term[i] = (diffuse * of.cosine.at[i] + scale * fresnel.at[i] * specular.at[i]) * weight[i];
     }
-}
-
-/// One row of weights of the lights of a run.
-[[gnu::always_inline]] inline const double* weights(const LightBlock& block, LightRun run,
-                                                    std::size_t channel) {
-    const DistantLights& lights = block.lights;
-    const std::array<const double*, 3> rows = {lights.r.data(), lights.g.data(), lights.b.data()};
-    return rows[channel] + block.first + run.first;
 }
 
 [[gnu::always_inline]] inline void fill_run(Terms& terms, const CookTorranceTable& table,
@@ -254,27 +209,20 @@ constexpr double least_factor = 0x1p-500;
     }
 }
 
-template <class Table>
-[[gnu::always_inline]] inline Rgb sum_of_runs(const Table& table, const LightBlock& block,
-                                              const SurfaceView& at) {
-    Terms terms{};
-    for (LightRun run = next_run(block, 0); run.count != 0;
-         run = next_run(block, run.first + run.count)) {
-        fill_run(terms, table, block, run, at);
-    }
-    return sum_of(terms, block.count);
-}
-
 }  // namespace
 
 TWOFOLD_SIMD_CLONES
 Rgb block_sum(const CookTorranceTable& table, LightBlock block, const SurfaceView& at) {
-    return sum_of_runs(table, block, at);
+    return sum_of_runs(
+        block, [&](Terms & terms, LightRun run)
+                   __attribute__((always_inline)) { fill_run(terms, table, block, run, at); });
 }
 
 TWOFOLD_SIMD_CLONES
 Rgb block_sum(const ModifiedPhongTable& table, LightBlock block, const SurfaceView& at) {
-    return sum_of_runs(table, block, at);
+    return sum_of_runs(
+        block, [&](Terms & terms, LightRun run)
+                   __attribute__((always_inline)) { fill_run(terms, table, block, run, at); });
 }
 
 }  // namespace twofold

@@ -35,8 +35,19 @@ struct ModifiedPhongTable {
     double exponent = 0.0;
 };
 
+/// A measured material's model, which must live as long.
+struct MeasuredTable {
+    const MeasuredModel& model;
+};
+
 CookTorranceTable tabulate(const CookTorrance& material);
 ModifiedPhongTable tabulate(const ModifiedPhong& material);
+inline MeasuredTable tabulate(const MeasuredBrdf& material) { return {*material.model}; }
+
+/// f of a measured material.
+/// @param n_l, n_v n.l and n.v, > 0
+/// @param square |l + v|^2
+Rgb measured_value(const MeasuredModel& model, double n_l, double n_v, double square);
 
 /// Lights [first, first + count) of `lights`, 1 <= count <= light_block, without some of their
 /// patches.
@@ -52,5 +63,6 @@ struct LightBlock {
 /// @param at a view with n.v > 0
 Rgb block_sum(const CookTorranceTable& table, LightBlock block, const SurfaceView& at);
 Rgb block_sum(const ModifiedPhongTable& table, LightBlock block, const SurfaceView& at);
+Rgb block_sum(const MeasuredTable& table, LightBlock block, const SurfaceView& at);
 
 }  // namespace twofold

@@ -73,12 +73,12 @@ SceneViews collect_views(const Scene& scene, const SceneAssets& assets,
 }
 
 /// Radiance at each surface point.
-std::vector<Rgb> radiance_at(const SceneViews& views, std::size_t points, const Scene& scene,
-                             const DistantLights& lights, int threads) {
+std::vector<Rgb> radiance_at(const SceneViews& views, std::size_t points, const LitScene& lit,
+                             int threads) {
     std::vector<Rgb> radiance(points);
     for (const auto& [name, material] : views.of_material) {
         const auto values =
-            outgoing_radiance(scene.materials.at(name), lights, material.at, threads);
+            outgoing_radiance(lit.brdfs.at(name), lit.lights.lights, material.at, threads);
         for (std::size_t i = 0; i < values.size(); ++i) radiance[material.point[i]] = values[i];
     }
     return radiance;
@@ -94,17 +94,18 @@ void append_pixel(Framebuffer& picture, const Rgb& c, double alpha) {
 
 }  // namespace
 
-ExactPicture exact_picture(const Scene& scene, const SceneAssets& assets,
-                           const DistantLights& lights, double white, int threads) {
+ExactPicture exact_picture(const Scene& scene, const SceneAssets& assets, const LitScene& lit,
+                           int threads) {
     const VisibleSurface surface = visible_surface(make_surface_frame(scene, assets));
     const SceneViews views = collect_views(scene, assets, surface);
-    const auto radiance = radiance_at(views, surface.points.size(), scene, lights, threads);
+    const auto radiance = radiance_at(views, surface.points.size(), lit, threads);
     ExactPicture result{{surface.width, surface.height, {}, {}, {}}, views.turned_away};
     for (const std::int32_t point : surface.point_of_pixel) {
         if (point < 0)
             append_pixel(result.picture, scene.image.background, 0.0);
         else
-            append_pixel(result.picture, radiance[static_cast<std::size_t>(point)] / white, 1.0);
+            append_pixel(result.picture, radiance[static_cast<std::size_t>(point)] / lit.white,
+                         1.0);
     }
     return result;
 }

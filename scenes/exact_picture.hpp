@@ -14,7 +14,7 @@ struct ExactPicture {
                               ///< is taken at the horizon
 };
 
-ExactPicture exact_picture(const Scene& scene, const SceneAssets& assets,
-                           const DistantLights& lights, double white, int threads);
+ExactPicture exact_picture(const Scene& scene, const SceneAssets& assets, const LitScene& lit,
+                           int threads);
 
 }  // namespace twofold

@@ -7,6 +7,7 @@
 
 #include "factor/directions.hpp"
 #include "factor/lighting.hpp"
+#include "scenes/measured_file.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/image_file.hpp"
@@ -52,11 +53,13 @@ LightingSamples sample(const Brdf& brdf, const DistantLights& lights, int count,
     return samples;
 }
 
-/// The materials that objects use.
-std::map<std::string, Brdf> used_materials(const Scene& scene) {
+/// The materials that objects use, measured ones loaded.
+std::map<std::string, Brdf> used_materials(const Scene& scene, int threads) {
     std::map<std::string, Brdf> used;
     for (const FactoredObject& object : scene.objects)
-        used.emplace(object.material, scene.materials.at(object.material));
+        if (!used.contains(object.material))
+            used.emplace(object.material,
+                         loaded(scene.materials.at(object.material), scene.directory, threads));
     return used;
 }
 
@@ -64,6 +67,8 @@ std::map<std::string, Brdf> used_materials(const Scene& scene) {
 double lobe_half_width(const Brdf& brdf) {
     if (const auto* phong = std::get_if<ModifiedPhong>(&brdf))
         return exact::acos(exact::pow(0.5, 1.0 / std::max(phong->exponent, 1.0)));
+    if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf))
+        return measured->model->report.lobe_half_width;
     double narrowest = exact::pi / 2.0;
     for (const BeckmannLobe& lobe : std::get<CookTorrance>(brdf).lobes)
         narrowest = std::min(narrowest, lobe.m);
@@ -115,8 +120,10 @@ LitScene light_scene(const Scene& scene, int threads, const StepListener& listen
     listen("environment");
     lit.lights = make_lights(scene);
     const FactorSettings& settings = scene.factorization;
+    listen("materials");
+    lit.brdfs = used_materials(scene, threads);
     std::map<std::string, MaterialSamples> samples;
-    for (const auto& [name, brdf] : used_materials(scene)) {
+    for (const auto& [name, brdf] : lit.brdfs) {
         listen("sample " + name);
         samples[name] = {
             sample(brdf, lit.lights.lights, settings.samples, fit_sequence, threads),
@@ -126,7 +133,7 @@ LitScene light_scene(const Scene& scene, int threads, const StepListener& listen
     for (const auto& [name, s] : samples) {
         listen("factor " + name);
         FactoredLighting lighting = factorize(s.fit, s.held_out, settings, lit.white, threads);
-        for (std::string& w : sampling_warnings(scene.materials.at(name), settings.map_size))
+        for (std::string& w : sampling_warnings(lit.brdfs.at(name), settings.map_size))
             lighting.warnings.push_back(std::move(w));
         lit.materials.emplace(name, std::move(lighting));
     }

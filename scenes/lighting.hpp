@@ -47,6 +47,7 @@ double white_radiance(const WhitePoint& white,
 struct LitScene {
     SceneLights lights;
     double white = 1.0;
+    std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     FactoredMaterials materials;
 };
 

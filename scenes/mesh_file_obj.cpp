@@ -7,9 +7,9 @@
 
 #include "scenes/mesh_file.hpp"
 #include "scenes/mesh_normals.hpp"
-#include "scenes/number_text.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
+#include "texunit/number_text.hpp"
 
 namespace twofold {
 namespace {
@@ -222,8 +222,8 @@ void append_vertex(Mesh& mesh, const ObjContent& content, const std::vector<Vec3
     if (content.has_colors) mesh.colors.push_back(content.colors[v]);
     if (!content.texcoords.empty())
         mesh.texcoords[0].push_back(corner[1] < 0
-                                     ? Vec4(0.0, 0.0, 0.0, 1.0)
-                                     : content.texcoords[static_cast<std::size_t>(corner[1])]);
+                                        ? Vec4(0.0, 0.0, 0.0, 1.0)
+                                        : content.texcoords[static_cast<std::size_t>(corner[1])]);
 }
 
 Mesh build_mesh(const ObjContent& content, const std::string& name) {

@@ -7,9 +7,9 @@
 
 #include "scenes/mesh_file.hpp"
 #include "scenes/mesh_normals.hpp"
-#include "scenes/number_text.hpp"
 #include "scenes/ply_header.hpp"
 #include "texunit/atomic_file.hpp"
+#include "texunit/number_text.hpp"
 
 namespace twofold {
 namespace {

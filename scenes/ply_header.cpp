@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "scenes/number_text.hpp"
 #include "texunit/error.hpp"
+#include "texunit/number_text.hpp"
 
 namespace twofold::ply {
 namespace {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "scenes/json_text.hpp"
+#include "scenes/scene_names.hpp"
 #include "scenes/scene_parts.hpp"
 #include "texunit/error.hpp"
 
@@ -62,6 +63,12 @@ void check_paths(const Checked& checked) {
     if (checked.scene.environment)
         if (const auto* file = std::get_if<LatLongFile>(&checked.scene.environment->source))
             check_path(checked, "environment.latlong", file->path);
+    for (const auto& [name, brdf] : checked.scene.materials)
+        if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf))
+            check_path(checked,
+                       fmt::format("materials.{}.{}.file", name,
+                                   name_in(measured_names, measured->source.format)),
+                       measured->source.path);
     for (const auto& [name, mesh] : checked.scene.meshes)
         if (const auto* file = std::get_if<MeshFile>(&mesh))
             check_path(checked, fmt::format("meshes.{}.file", name), file->path);

@@ -15,6 +15,14 @@ inline constexpr std::array solver_names{Named{"qmr", Solver::qmr}, Named{"lsmr"
 inline constexpr std::array constant_names{Named{"pi1981", CookTorranceConstant::pi1981},
                                            Named{"modern4", CookTorranceConstant::modern4}};
 
+inline constexpr std::array fill_names{Named{"homomorphic", Fill::homomorphic},
+                                       Named{"interpolate", Fill::interpolate}};
+
+/// The models of measured materials, by the files that hold them.
+inline constexpr std::array measured_names{Named{"merl", MeasuredFormat::merl},
+                                           Named{"cornell", MeasuredFormat::cornell},
+                                           Named{"rgl", MeasuredFormat::rgl}};
+
 inline constexpr std::array texgen_names{Named{"none", TexGen::none},
                                          Named{"object_linear", TexGen::object_linear},
                                          Named{"eye_linear", TexGen::eye_linear},

@@ -81,6 +81,14 @@ ModifiedPhong read_modified_phong(const JsonValue& value) {
             .exponent = fields.number("exponent", {.low = 0.0, .high = 1e6}, absent.exponent)};
 }
 
+MeasuredBrdf read_measured(const JsonValue& value, MeasuredFormat format) {
+    const JsonObject fields(value, {"file", "fill"});
+    return {{.format = format,
+             .path = fields.at("file").text(),
+             .fill = fields.enumerator("fill", fill_names, MeasuredFile{}.fill)},
+            nullptr};
+}
+
 }  // namespace
 
 EnvironmentSpec read_environment(const JsonValue& value) {
@@ -113,10 +121,15 @@ WhitePoint read_white(const JsonValue& value) {
 }
 
 Brdf read_material(const JsonValue& value) {
-    const JsonObject fields(value, {"cook_torrance", "modified_phong"});
-    const std::string_view kind = fields.one_of({"cook_torrance", "modified_phong"});
+    const std::initializer_list<std::string_view> kinds{"cook_torrance", "modified_phong", "merl",
+                                                        "cornell", "rgl"};
+    const JsonObject fields(value, kinds);
+    const std::string_view kind = fields.one_of(kinds);
     if (kind == "cook_torrance") return read_cook_torrance(fields.at(kind));
-    return read_modified_phong(fields.at(kind));
+    if (kind == "modified_phong") return read_modified_phong(fields.at(kind));
+    for (const auto& [name, format] : measured_names)
+        if (name == kind) return read_measured(fields.at(kind), format);
+    fields.value().fail("has no model");
 }
 
 FactorSettings read_factorization(const JsonValue& value) {

@@ -84,6 +84,11 @@ Json material_of(const ModifiedPhong& brdf) {
               {"exponent", brdf.exponent}}}};
 }
 
+Json material_of(const MeasuredBrdf& brdf) {
+    return {{std::string(name_in(measured_names, brdf.source.format)),
+             {{"file", brdf.source.path}, {"fill", name_in(fill_names, brdf.source.fill)}}}};
+}
+
 }  // namespace
 
 Json json_of(const Brdf& brdf) {

@@ -55,6 +55,41 @@ Json lighting_json(const FactoredLighting& lighting) {
             {"channels", channels}};
 }
 
+Json factor_json(const ProductFit& fit) {
+    return {{"used", fit.used},
+            {"unmeasured", fit.unmeasured},
+            {"zero", fit.zero},
+            {"floored", fit.floored},
+            {"partly_unsupported", fit.partly_unsupported},
+            {"status", name_of(fit.solver.status)},
+            {"iterations", fit.solver.iterations},
+            {"relative_rms", fit.relative_rms},
+            {"log_rms", fit.log_rms}};
+}
+
+/// What a measured material's file holds and how its gaps were filled; null for other materials.
+Json measured_json(const Brdf& brdf) {
+    const auto* measured = std::get_if<MeasuredBrdf>(&brdf);
+    if (measured == nullptr) return nullptr;
+    const MeasuredReport& r = measured->model->report;
+    Json channels = Json::array();
+    for (std::size_t c = 0; c < 3; ++c) {
+        const ValueCounts& v = r.counts[c];
+        channels.push_back({{"channel", channel_name(c)},
+                            {"values", v.values},
+                            {"negative", v.negative},
+                            {"zero", v.zero},
+                            {"not_finite", v.not_finite},
+                            {"filled_nodes", r.filled[c]},
+                            {"factors", r.factors ? factor_json((*r.factors)[c]) : Json(nullptr)}});
+    }
+    return {{"file", measured->source.path},
+            {"sha256", r.sha256},
+            {"recognised", r.recognised.empty() ? Json(nullptr) : Json(r.recognised)},
+            {"samples", r.samples},
+            {"channels", channels}};
+}
+
 Json environment_json(const SceneLights& lights) {
     const EnvironmentReport& r = lights.report;
     return {{"lights", lights.lights.size()},
@@ -125,7 +160,10 @@ Json to_json(const DrawCounters& c) {
 
 Json factors_json(const Scene& scene, const LitScene& lit) {
     Json materials = Json::object();
-    for (const auto& [name, lighting] : lit.materials) materials[name] = lighting_json(lighting);
+    for (const auto& [name, lighting] : lit.materials) {
+        materials[name] = lighting_json(lighting);
+        materials[name]["measured"] = measured_json(lit.brdfs.at(name));
+    }
     const FactorSettings& settings = scene.factorization;
     return {{"title", scene.title},
             {"version", program_version()},

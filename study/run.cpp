@@ -40,8 +40,7 @@ class StepClock {
 };
 
 void draw_exact(RunResult& run, const SceneAssets& assets, int threads) {
-    ExactPicture exact =
-        exact_picture(run.scene, assets, run.lit.lights.lights, run.lit.white, threads);
+    ExactPicture exact = exact_picture(run.scene, assets, run.lit, threads);
     run.turned_away = exact.turned_away;
     run.pictures.push_back({"exact", std::move(exact.picture)});
 }
@@ -108,11 +107,32 @@ bool nothing_drawn(const RunResult& run) {
     return true;
 }
 
+/// What a measured material's file holds, and what of it is no measurement.
+void note_measured(std::vector<std::string>& notes, const std::string& name,
+                   const MeasuredBrdf& brdf) {
+    const MeasuredReport& r = brdf.model->report;
+    if (brdf.source.format == MeasuredFormat::merl)
+        notes.push_back(fmt::format(
+            "{}: sha256 {}, {}", name, r.sha256,
+            r.recognised.empty() ? "not in a list of known files" : "known as " + r.recognised));
+    for (std::size_t c = 0; c < 3; ++c) {
+        const ValueCounts& v = r.counts[c];
+        if (v.negative + v.zero + v.not_finite > 0)
+            notes.push_back(
+                fmt::format("{}, {}: of {} stored values {} are negative, {} zero, {} not finite",
+                            name, channel_name(c), v.values, v.negative, v.zero, v.not_finite));
+        if (r.factors && (*r.factors)[c].partly_unsupported)
+            notes.push_back(fmt::format(
+                "{}, {}: partly unsupported: {} of {} samples are not above 0 and masked", name,
+                channel_name(c), (*r.factors)[c].zero, r.samples));
+    }
+}
+
 }  // namespace
 
-std::vector<std::string> notes_about(const SceneLights& lights, const SceneAssets& assets) {
-    std::vector<std::string> notes = lights.notes;
-    const EnvironmentReport& r = lights.report;
+std::vector<std::string> notes_about(const LitScene& lit, const SceneAssets& assets) {
+    std::vector<std::string> notes = lit.lights.notes;
+    const EnvironmentReport& r = lit.lights.report;
     if (r.negative > 0)
         notes.push_back(
             fmt::format("environment: {} negative values ({:.3g} %, least {:.6g}) read as 0",
@@ -123,6 +143,9 @@ std::vector<std::string> notes_about(const SceneLights& lights, const SceneAsset
     if (r.ignored_channels > 0)
         notes.push_back(fmt::format("environment: {} channels beyond red, green, blue ignored",
                                     r.ignored_channels));
+    for (const auto& [name, brdf] : lit.brdfs)
+        if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf))
+            note_measured(notes, name, *measured);
     for (const auto& [name, m] : assets.mesh_reports) {
         if (m.inverted)
             notes.push_back(
@@ -157,11 +180,11 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
     clock.begin("meshes and textures");
     const SceneAssets assets = load_assets(scene);
     run.lit = light_scene(scene, threads, [&](const std::string& step) { clock.begin(step); });
-    run.notes = notes_about(run.lit.lights, assets);
+    run.notes = notes_about(run.lit, assets);
     for (const auto& [name, lighting] : run.lit.materials) {
         clock.begin("averaging cost " + name);
         run.averaging_cost[name] =
-            averaging_cost(scene, run.lit.lights, scene.materials.at(name), threads);
+            averaging_cost(scene, run.lit.lights, run.lit.brdfs.at(name), threads);
     }
     run.warnings = warnings_of(scene, run.lit.materials);
     if (!scene.objects.empty()) {

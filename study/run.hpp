@@ -53,6 +53,6 @@ std::vector<std::string> warnings_of(const FactoredMaterials& materials);
 std::vector<std::string> warnings_of(const Scene& scene, const FactoredMaterials& materials);
 
 /// Notes about the environment and meshes, in words.
-std::vector<std::string> notes_about(const SceneLights& lights, const SceneAssets& assets);
+std::vector<std::string> notes_about(const LitScene& lit, const SceneAssets& assets);
 
 }  // namespace twofold

@@ -61,6 +61,10 @@ ReportChannelFit report_fit(const ChannelFit& fit, double c) {
 std::string brdf_name(const Brdf& brdf) {
     if (const auto* phong = std::get_if<ModifiedPhong>(&brdf))
         return fmt::format("modified Phong, N = {}", phong->exponent);
+    if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf))
+        return fmt::format("measured, {}, {}", measured->source.path,
+                           measured->source.fill == Fill::homomorphic ? "factored p(l) q(h) p(v)"
+                                                                      : "interpolated");
     return fmt::format("Cook-Torrance, {} lobes", std::get<CookTorrance>(brdf).lobes.size());
 }
 

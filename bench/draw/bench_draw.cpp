@@ -7,9 +7,9 @@
 #include "bench/draw/drawing.hpp"
 #include "bench/draw/machine.hpp"
 #include "bench/draw/report.hpp"
-#include "scenes/number_text.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
+#include "texunit/number_text.hpp"
 
 /// Draws the same inputs with twofold and with its peers, in turn, and says how fast each is.
 namespace twofold::bench {

@@ -8,8 +8,8 @@
 
 #include "bench/draw/child.hpp"
 #include "bench/draw/raw_array.hpp"
-#include "scenes/number_text.hpp"
 #include "texunit/error.hpp"
+#include "texunit/number_text.hpp"
 
 namespace twofold::bench {
 namespace {

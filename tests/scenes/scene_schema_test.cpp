@@ -31,7 +31,10 @@ const std::vector<std::string> every_field{R"({
                             "lobes": [{"m": 0.3, "weight": 0.25}, {"m": 0.15, "weight": 0.75}],
                             "constant": "modern4"}},
     "b": {"modified_phong": {"diffuse": [0.15, 0.25, 0.35], "specular": [0.45, 0.55, 0.65],
-                             "exponent": 12.5}}},
+                             "exponent": 12.5}},
+    "c": {"merl": {"file": "m.binary", "fill": "interpolate"}},
+    "d": {"cornell": {"file": "c.brdf", "fill": "interpolate"}},
+    "e": {"rgl": {"file": "r.bsdf", "fill": "interpolate"}}},
   "meshes": {
     "f": {"file": "m.ply"}, "q": {"quad": {}}, "s": {"sphere": {"subdivisions": 7}},
     "v": {"vertices": {"primitive": "polygon", "positions": [[0.5, 1.5, 2.5], [3.5, 4.5, 5.5], [6.5, 7.5, 8.5]],
@@ -372,7 +375,8 @@ TEST_CASE("the schema's defaults are the reader's") {
     const std::string all_on = R"({"image": {}, "camera": {}, "factorization": {}, "textures":
         {"c": {"checkerboard": {}}}, "meshes": {"s": {"sphere": {}}, "q": {"quad": {}},
                    "v": {"vertices": {"positions": [[0, 0, 0]], "indices": []}}},
-        "materials": {"a": {"cook_torrance": {}}, "b": {"modified_phong": {}}},
+        "materials": {"a": {"cook_torrance": {}}, "b": {"modified_phong": {}},
+                      "c": {"merl": {"file": "m"}}},
         "environment": {"painted": {}}, "objects": [{"mesh": "q", "material": "a"}],
         "custom": {}, "passes": [{"mesh": "v",
             "units": [{"env": {}}, {"texgen": {"s": "eye_linear"}}], "alpha_test": {},

@@ -1,4 +1,4 @@
-#include "scenes/number_text.hpp"
+#include "texunit/number_text.hpp"
 
 #include <locale.h>
 #include <stdlib.h>
