@@ -21,10 +21,10 @@ double relative_rms_difference(const Brdf& brdf, const DistantLights& averaged,
 double averaging_cost(const Brdf& brdf, const FloatImage& image,
                       const EnvironmentSettings& settings, std::span<const SurfaceView> at,
                       int threads) {
-    const auto averaged = latitude_longitude(image, settings, "environment");
+    const auto averaged = environment_of(image, settings, "environment");
     EnvironmentSettings every_texel = settings;
     every_texel.cells = std::max(settings.cells, image.width * image.height);
-    const auto full = latitude_longitude(image, every_texel, "environment");
+    const auto full = environment_of(image, every_texel, "environment");
     return relative_rms_difference(brdf, averaged.lights, full.lights, at, threads);
 }
 

@@ -12,10 +12,32 @@
 
 namespace twofold {
 
-/// How a latitude-longitude picture becomes lights.
+/// Forms of environment pictures. All but the strips show the sphere from inside, forward (-z) in
+/// the middle and up (+y) above it, before they are turned.
+enum class EnvironmentForm {
+    latlong,          ///< latitude_longitude()
+    probe,            ///< angular map: a disc, forward in its centre, backward on its rim
+    cube_cross,       ///< 4 x 3 faces, backward on the right, or 3 x 4, backward below, upside down
+    cube_strip,       ///< six faces +x to -z, laid out as OpenGL's cube maps are
+    cube_openexr,     ///< six faces +x to -z, laid out as OpenEXR has them
+    dual_paraboloid,  ///< front (+z) and back maps side by side or one above the other
+};
+
+/// How an environment picture becomes lights.
 struct EnvironmentSettings {
     int cells = 8192;     ///< most lights wanted, >= 1
     bool repair = false;  ///< a NaN or infinity becomes 0 and is counted, instead of being an error
+    EnvironmentForm form = EnvironmentForm::latlong;
+    double guard = 1.0;  ///< of dual_paraboloid: radius of the disc over half the edge of a map
+};
+
+/// How the picture lies in the world and what its values are worth (D07).
+struct EnvironmentPlacement {
+    Vec3 forward{0.0, 0.0, -1.0};  ///< where the picture's -z looks
+    Vec3 up{0.0, 1.0, 0.0};        ///< what is above it; only its part across `forward` matters
+    bool mirror = false;           ///< left and right are exchanged first
+    double scale = 1.0;            ///< radiance of the value 1
+    bool operator==(const EnvironmentPlacement&) const = default;
 };
 
 /// What was found in the picture and done to it.
@@ -53,6 +75,20 @@ struct Environment {
 /// @source docs/method.md, section 4
 Environment latitude_longitude(const FloatImage& image, const EnvironmentSettings& settings,
                                std::string_view name);
+
+/// The lights of a picture of any form. Forms other than latlong consist of square maps: cells are
+/// boxes of k x k texels, k the smallest that leaves at most `cells` of them, and become one light
+/// in the mean direction of their texels. A texel whose centre shows no direction (outside the disc
+/// of a probe or of a paraboloid) is not looked at, whatever it holds (D06). Solid angles are those
+/// of texel centres, scaled together to 4 pi.
+/// @throws Error as latitude_longitude(), and Error(bad_file) where the form has another shape
+/// @source docs/method.md, section 4
+Environment environment_of(const FloatImage& image, const EnvironmentSettings& settings,
+                           std::string_view name);
+
+/// The lights turned and scaled.
+/// @throws Error(failure) where `forward` is zero or parallel to `up`
+DistantLights placed(DistantLights lights, const EnvironmentPlacement& placement);
 
 /// A disc of even radiance on the sphere.
 struct DiscLight {

@@ -35,11 +35,14 @@ struct Camera {
     double far_plane = 100.0;
 };
 
-/// A latitude-longitude picture (.hdr, .exr); the path is relative to the scene file.
-struct LatLongFile {
+/// An environment picture (.hdr, .exr); the path is relative to the scene file.
+struct EnvironmentFile {
     std::string path;
+    EnvironmentForm form = EnvironmentForm::latlong;
     bool repair =
         false;  ///< texels that are not finite become 0 and are counted, instead of an error
+    double guard = 1.0;  ///< of dual_paraboloid
+    EnvironmentPlacement placement;
 };
 
 /// Area lights painted onto a constant background (types of factor/environment.hpp), rendered to a
@@ -55,7 +58,7 @@ struct DirectionalLights {
 };
 
 struct EnvironmentSpec {
-    std::variant<LatLongFile, PaintedLatLong, DirectionalLights> source;
+    std::variant<EnvironmentFile, PaintedLatLong, DirectionalLights> source;
     int cells =
         8192;  ///< the picture is averaged to at most so many lights; no effect on directional ones
 };

@@ -61,8 +61,10 @@ void check_paths(const Checked& checked) {
     if (checked.scene.directory.find('\0') != std::string::npos)
         checked.fail("directory", "has a NUL character");
     if (checked.scene.environment)
-        if (const auto* file = std::get_if<LatLongFile>(&checked.scene.environment->source))
-            check_path(checked, "environment.latlong", file->path);
+        if (const auto* file = std::get_if<EnvironmentFile>(&checked.scene.environment->source))
+            check_path(checked,
+                       fmt::format("environment.{}", name_in(environment_form_names, file->form)),
+                       file->path);
     for (const auto& [name, brdf] : checked.scene.materials)
         if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf))
             check_path(checked,

@@ -15,6 +15,14 @@ inline constexpr std::array solver_names{Named{"qmr", Solver::qmr}, Named{"lsmr"
 inline constexpr std::array constant_names{Named{"pi1981", CookTorranceConstant::pi1981},
                                            Named{"modern4", CookTorranceConstant::modern4}};
 
+inline constexpr std::array environment_form_names{
+    Named{"latlong", EnvironmentForm::latlong},
+    Named{"probe", EnvironmentForm::probe},
+    Named{"cube_cross", EnvironmentForm::cube_cross},
+    Named{"cube_strip", EnvironmentForm::cube_strip},
+    Named{"cube_openexr", EnvironmentForm::cube_openexr},
+    Named{"dual_paraboloid", EnvironmentForm::dual_paraboloid}};
+
 inline constexpr std::array fill_names{Named{"homomorphic", Fill::homomorphic},
                                        Named{"interpolate", Fill::interpolate}};
 

@@ -81,6 +81,34 @@ ModifiedPhong read_modified_phong(const JsonValue& value) {
             .exponent = fields.number("exponent", {.low = 0.0, .high = 1e6}, absent.exponent)};
 }
 
+EnvironmentPlacement read_orientation(const JsonValue& value) {
+    const JsonObject fields(value, {"forward", "up", "mirror"});
+    EnvironmentPlacement placement;
+    if (const auto forward = fields.find("forward")) placement.forward = read_direction(*forward);
+    if (const auto up = fields.find("up")) placement.up = read_direction(*up);
+    placement.mirror = fields.boolean("mirror", placement.mirror);
+    const double across = length(cross(normalized(placement.forward), normalized(placement.up)));
+    if (across < 1e-6) value.fail("'forward' and 'up' span no plane");
+    return placement;
+}
+
+EnvironmentFile read_environment_file(const JsonObject& fields, std::string_view name,
+                                      EnvironmentForm form) {
+    EnvironmentFile file;
+    file.path = fields.at(name).text();
+    file.form = form;
+    file.repair = fields.boolean("repair", file.repair);
+    if (const auto guard = fields.find("guard")) {
+        if (form != EnvironmentForm::dual_paraboloid) guard->fail("belongs to 'dual_paraboloid'");
+        file.guard = guard->number({.low = 0.0, .high = 1.0, .low_excluded = true});
+    }
+    if (const auto orientation = fields.find("orientation"))
+        file.placement = read_orientation(*orientation);
+    file.placement.scale =
+        fields.number("scale", {.low = 0.0, .high = 1e9, .low_excluded = true}, 1.0);
+    return file;
+}
+
 MeasuredBrdf read_measured(const JsonValue& value, MeasuredFormat format) {
     const JsonObject fields(value, {"file", "fill"});
     return {{.format = format,
@@ -92,16 +120,23 @@ MeasuredBrdf read_measured(const JsonValue& value, MeasuredFormat format) {
 }  // namespace
 
 EnvironmentSpec read_environment(const JsonValue& value) {
-    const JsonObject fields(value, {"latlong", "repair", "painted", "directional", "cells"});
-    const std::string_view kind = fields.one_of({"latlong", "painted", "directional"});
+    const JsonObject fields(
+        value, {"latlong", "probe", "cube_cross", "cube_strip", "cube_openexr", "dual_paraboloid",
+                "painted", "directional", "repair", "guard", "orientation", "scale", "cells"});
+    const std::string_view kind =
+        fields.one_of({"latlong", "probe", "cube_cross", "cube_strip", "cube_openexr",
+                       "dual_paraboloid", "painted", "directional"});
     EnvironmentSpec spec;
     spec.cells = fields.integer("cells", 1, 1 << 20, spec.cells);
-    if (const auto repair = fields.find("repair"); repair && kind != "latlong")
-        repair->fail("belongs to 'latlong' and there is none");
-    if (kind == "latlong")
-        spec.source = LatLongFile{.path = fields.at("latlong").text(),
-                                  .repair = fields.boolean("repair", false)};
-    else if (kind == "painted")
+    for (const auto& [name, form] : environment_form_names)
+        if (name == kind) {
+            spec.source = read_environment_file(fields, name, form);
+            return spec;
+        }
+    for (const std::string_view of_pictures : {"repair", "guard", "orientation", "scale"})
+        if (const auto field = fields.find(of_pictures))
+            field->fail("belongs to a picture's file and there is none");
+    if (kind == "painted")
         spec.source = read_painted(fields.at("painted"));
     else
         spec.source = read_directional(fields.at("directional"));

@@ -16,8 +16,17 @@ Json json_of(const DirectionalLight& light) {
 
 namespace {
 
-Json source_of(const LatLongFile& file) {
-    return {{"latlong", file.path}, {"repair", file.repair}};
+Json source_of(const EnvironmentFile& file) {
+    const EnvironmentPlacement& placement = file.placement;
+    Json json{{std::string(name_in(environment_form_names, file.form)), file.path},
+              {"repair", file.repair},
+              {"orientation",
+               {{"forward", json_of(placement.forward)},
+                {"up", json_of(placement.up)},
+                {"mirror", placement.mirror}}},
+              {"scale", placement.scale}};
+    if (file.form == EnvironmentForm::dual_paraboloid) json["guard"] = file.guard;
+    return json;
 }
 
 Json source_of(const PaintedLatLong& painted) {

@@ -91,7 +91,7 @@ ReportMaterial report_material(const RunResult& run, const std::string& name,
 std::string environment_text(const RunResult& run) {
     if (!run.scene.environment) return "none";
     const auto count = run.lit.lights.lights.size();
-    if (const auto* file = std::get_if<LatLongFile>(&run.scene.environment->source))
+    if (const auto* file = std::get_if<EnvironmentFile>(&run.scene.environment->source))
         return fmt::format("{}, {} x {} averaged to {} lights", file->path,
                            run.lit.lights.report.width, run.lit.lights.report.height, count);
     if (run.lit.lights.picture)

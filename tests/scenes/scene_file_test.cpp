@@ -126,9 +126,17 @@ TEST_CASE("a choice takes exactly one of its kinds") {
     CHECK(object_error("environment.latlong=a.hdr") ==
           "x.json: environment: has both 'latlong' and 'directional', needs one");
     CHECK(object_error("environment={}") ==
-          "x.json: environment: needs one of: latlong, painted, directional");
+          "x.json: environment: needs one of: latlong, probe, cube_cross, cube_strip, cube_openexr, "
+          "dual_paraboloid, painted, directional");
     CHECK(object_error("environment.repair=true") ==
-          "x.json: environment.repair: belongs to 'latlong' and there is none");
+          "x.json: environment.repair: belongs to a picture's file and there is none");
+    const std::string pictured = "environment={\"probe\": \"e.exr\"}";
+    CHECK(error_of(one_object, {pictured, "environment.guard=0.5"}) ==
+          "x.json: environment.guard: belongs to 'dual_paraboloid'");
+    CHECK(error_of(one_object, {pictured, "environment.orientation={\"up\":[0,0,2]}"}) ==
+          "x.json: environment.orientation: 'forward' and 'up' span no plane");
+    CHECK(error_of(one_object, {"environment={\"probe\": \"../e.exr\"}"}).find(
+              "environment.probe: '../e.exr' leads out") != std::string::npos);
     CHECK(object_error("meshes.suzanne={}") ==
           "x.json: meshes.suzanne: needs one of: file, sphere, quad, vertices");
 }
@@ -246,7 +254,7 @@ TEST_CASE("all shipped scenes are read, and the files that they name are there")
             if (const auto* file = std::get_if<MeshFile>(&mesh))
                 CHECK(std::filesystem::exists(folder / file->path));
         if (!scene.environment) continue;
-        if (const auto* file = std::get_if<LatLongFile>(&scene.environment->source))
+        if (const auto* file = std::get_if<EnvironmentFile>(&scene.environment->source))
             CHECK(std::filesystem::exists(folder / file->path));
     }
 }

@@ -20,7 +20,8 @@ const std::vector<std::string> every_field{R"({
             "depth_bits": 16, "clear_depth": 0.375},
   "camera": {"eye": [1.5, 2.5, 3.5], "target": [0.25, 0.5, 0.75], "up": [0.1, 0.9, 0.2],
              "vertical_fov_degrees": 33.5, "near": 0.3, "far": 44.5},
-  "environment": {"latlong": "e.hdr", "repair": true, "cells": 77},
+  "environment": {"latlong": "e.hdr", "repair": true, "cells": 77, "scale": 1.75, "orientation":
+                  {"forward": [1.5, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "white": 2.5,
   "factorization": {"method": "letter", "map_size": 21, "guard": 0.75, "samples": 1234, "held_out": 567,
                     "solver": "lsmr", "tolerance": 0.125, "iteration_limit": 31, "floor": 0.01, "cap": 3.5,
@@ -158,6 +159,26 @@ const std::vector<std::string> every_field{R"({
   "white": {"percentile": 98.5},
   "materials": {"a": {"modified_phong": {}}}, "meshes": {"q": {"quad": {}}},
   "objects": [{"mesh": "q", "material": "a"}]})",
+                                           R"({
+  "environment": {"probe": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
+                  {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
+  "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
+                                           R"({
+  "environment": {"cube_cross": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
+                  {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
+  "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
+                                           R"({
+  "environment": {"cube_strip": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
+                  {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
+  "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
+                                           R"({
+  "environment": {"cube_openexr": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
+                  {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
+  "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
+                                           R"({
+  "environment": {"dual_paraboloid": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "guard": 0.625, "orientation":
+                  {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
+  "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
                                            R"({
   "environment": {"directional": [{"direction": [1.25, 2.5, 3.5], "irradiance": [5.25, 6.25, 7.25]}],
                   "cells": 79},
