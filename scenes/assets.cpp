@@ -112,6 +112,11 @@ SceneAssets load_assets(const Scene& scene) {
     }
     for (const auto& [name, spec] : scene.textures)
         assets.textures.emplace(name, load_texture(scene.directory, name, spec));
+    for (const HistoricalObject& object : scene.historical)
+        if (!assets.factor_sets.contains(object.factors))
+            assets.factor_sets.emplace(
+                object.factors,
+                read_factor_set(std::filesystem::path(scene.directory) / object.factors));
     return assets;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "raster/mesh.hpp"
+#include "scenes/factor_set.hpp"
 #include "scenes/mesh_file.hpp"
 #include "scenes/scene.hpp"
 #include "texunit/texture.hpp"
@@ -14,6 +15,7 @@ struct SceneAssets {
     std::map<std::string, Mesh> meshes;
     std::map<std::string, MeshReport> mesh_reports;
     std::map<std::string, Texture> textures;
+    std::map<std::string, FactorSet> factor_sets;  ///< of historical objects, by their files' paths
 };
 
 /// Loads or makes the scene's meshes and textures.

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "scenes/camera.hpp"
+#include "scenes/historical.hpp"
 #include "scenes/scene_names.hpp"
 #include "texunit/error.hpp"
 #include "texunit/paraboloid.hpp"
@@ -159,6 +160,9 @@ Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMa
         add_four_passes(b, object, lighting, factor_textures[object.material]);
         for (int i = 0; i < lighting.doubling_passes; ++i) add_doubling_pass(b, object);
     }
+    for (const HistoricalObject& object : scene.historical)
+        add_historical(b.frame, object, assets.meshes.at(object.mesh),
+                       assets.factor_sets.at(object.factors), scene.camera);
     for (const ScenePass& pass : scene.passes) add_explicit_pass(b, pass, preset);
     return std::move(b.frame);
 }

@@ -93,6 +93,20 @@ struct FactoredObject {
     double rotate_y_degrees = 0.0;  ///< applied before the translation
 };
 
+/// A mesh shaded by a factor set of McCool's group, p(l) q(h) p(v), as its own renderer showed it:
+/// under one directional light, factors as 8-bit textures, in two passes of two units.
+struct HistoricalObject {
+    std::string mesh;
+    std::string factors;        ///< the set's text file, relative to the scene file
+    Vec3 light{0.0, 0.0, 1.0};  ///< towards the light, world space, not zero
+    Rgb irradiance{1.0};
+    double diffuse = 5.0;   ///< the group's own display constants
+    double specular = 0.5;
+    Vec3 translation{0.0};
+    double scale = 1.0;
+    double rotate_y_degrees = 0.0;
+};
+
 /// Images of explicit passes' textures: a PNG file, a checkerboard, or texels as they are stored.
 struct TextureFile {
     std::string path;  ///< relative to the scene file
@@ -148,7 +162,8 @@ struct Scene {
     std::map<std::string, MeshSpec> meshes;
     std::map<std::string, TextureSpec> textures;
     std::vector<FactoredObject> objects;  ///< drawn first, in order
-    std::vector<ScenePass> passes;        ///< drawn after the objects, in order
+    std::vector<HistoricalObject> historical;  ///< drawn after the objects, in order
+    std::vector<ScenePass> passes;             ///< drawn last, in order
     std::vector<Preset> presets;          ///< at least one
     CustomSettings custom;                ///< of the preset `custom`
     std::string file{};                   ///< stands for the scene in error texts

@@ -71,6 +71,9 @@ void check_paths(const Checked& checked) {
                        fmt::format("materials.{}.{}.file", name,
                                    name_in(measured_names, measured->source.format)),
                        measured->source.path);
+    for (std::size_t i = 0; i < checked.scene.historical.size(); ++i)
+        check_path(checked, fmt::format("historical.{}.factors", i),
+                   checked.scene.historical[i].factors);
     for (const auto& [name, mesh] : checked.scene.meshes)
         if (const auto* file = std::get_if<MeshFile>(&mesh))
             check_path(checked, fmt::format("meshes.{}.file", name), file->path);
@@ -179,8 +182,13 @@ void check_scene(const Scene& scene, std::string_view file, bool may_be_absolute
         check_object(checked, fmt::format("objects.{}", i), scene.objects[i]);
     for (std::size_t i = 0; i < scene.passes.size(); ++i)
         check_pass(checked, fmt::format("passes.{}", i), scene.passes[i]);
-    if (scene.objects.empty() && scene.passes.empty())
-        checked.fail("", "needs at least one element in 'objects' or 'passes'");
+    for (std::size_t i = 0; i < scene.historical.size(); ++i) {
+        const std::string where = fmt::format("historical.{}.mesh", i);
+        check_name(checked, where, "mesh", scene.historical[i].mesh, scene.meshes);
+        check_normals(checked, where, scene.historical[i].mesh);
+    }
+    if (scene.objects.empty() && scene.historical.empty() && scene.passes.empty())
+        checked.fail("", "needs at least one element in 'objects', 'historical' or 'passes'");
     if (!scene.objects.empty() && !scene.environment)
         checked.fail("environment", "is missing, and 'objects' are lit by it");
 }

@@ -128,6 +128,7 @@ Scene read_document(const JsonObject& fields, const std::filesystem::path& direc
         .meshes = read_map(fields, "meshes", read_mesh),
         .textures = read_map(fields, "textures", read_texture),
         .objects = read_list(fields, "objects", read_object),
+        .historical = read_list(fields, "historical", read_historical),
         .passes = read_list(fields, "passes", read_pass),
         .presets = presets ? read_presets(*presets)
                            : std::vector<Preset>(usual_presets.begin(), usual_presets.end()),
@@ -159,8 +160,8 @@ Scene parse_scene(std::string_view text, const std::string& name,
     const scene_io::JsonObject fields(
         scene_io::JsonValue(document, name, ""),
         {"$schema", "title", "directory", "image", "camera", "environment", "white",
-         "factorization", "materials", "meshes", "textures", "objects", "passes", "presets",
-         "custom", "results"});
+         "factorization", "materials", "meshes", "textures", "objects", "historical", "passes",
+         "presets", "custom", "results"});
     Scene scene = scene_io::read_document(fields, directory);
     scene.file = name;
     scene_io::check_scene(scene, name, fields.find("directory").has_value());

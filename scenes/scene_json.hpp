@@ -32,6 +32,7 @@ Json json_of(const MeshSpec& mesh);
 Json json_of(const TextureImageSpec& image);
 Json json_of(const TextureSpec& texture);
 Json json_of(const FactoredObject& object);
+Json json_of(const HistoricalObject& object);
 Json json_of(const CustomSettings& custom);
 Json json_of(const CombinerStage& stage);
 Json json_of(const RegisterCombiners& combiners);

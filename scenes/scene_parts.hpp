@@ -24,6 +24,7 @@ Brdf read_material(const JsonValue& value);
 FactorSettings read_factorization(const JsonValue& value);
 MeshSpec read_mesh(const JsonValue& value);
 TextureSpec read_texture(const JsonValue& value);
+HistoricalObject read_historical(const JsonValue& value);
 ScenePass read_pass(const JsonValue& value);
 std::vector<Preset> read_presets(const JsonValue& value);
 CustomSettings read_custom(const JsonValue& value);

@@ -51,6 +51,18 @@ Json json_of(const FactoredObject& object) {
             {"rotate_y_degrees", object.rotate_y_degrees}};
 }
 
+Json json_of(const HistoricalObject& object) {
+    return {{"mesh", object.mesh},
+            {"factors", object.factors},
+            {"light", json_of(object.light)},
+            {"irradiance", json_of(object.irradiance)},
+            {"diffuse", object.diffuse},
+            {"specular", object.specular},
+            {"translation", json_of(object.translation)},
+            {"scale", object.scale},
+            {"rotate_y_degrees", object.rotate_y_degrees}};
+}
+
 namespace {
 
 Json document_of(const Scene& scene) {
@@ -65,6 +77,7 @@ Json document_of(const Scene& scene) {
             {"meshes", map_of(scene.meshes)},
             {"textures", map_of(scene.textures)},
             {"objects", list_of(scene.objects)},
+            {"historical", list_of(scene.historical)},
             {"passes", list_of(scene.passes)},
             {"presets", list_of(scene.presets)},
             {"custom", json_of(scene.custom)}};

@@ -143,6 +143,24 @@ EnvironmentSpec read_environment(const JsonValue& value) {
     return spec;
 }
 
+HistoricalObject read_historical(const JsonValue& value) {
+    const JsonObject fields(value, {"mesh", "factors", "light", "irradiance", "diffuse", "specular",
+                                    "translation", "scale", "rotate_y_degrees"});
+    const Range size{.low = 0.0, .high = 1e6, .low_excluded = true};
+    HistoricalObject object;
+    object.mesh = fields.at("mesh").text();
+    object.factors = fields.at("factors").text();
+    if (const auto light = fields.find("light")) object.light = read_direction(*light);
+    object.irradiance = fields.rgb("irradiance", radiance, object.irradiance);
+    object.diffuse = fields.number("diffuse", {.low = 0.0, .high = 1e6}, object.diffuse);
+    object.specular = fields.number("specular", {.low = 0.0, .high = 1e6}, object.specular);
+    object.translation = fields.vec3("translation", coordinates, object.translation);
+    object.scale = fields.number("scale", size, object.scale);
+    object.rotate_y_degrees =
+        fields.number("rotate_y_degrees", {.low = -360.0, .high = 360.0}, object.rotate_y_degrees);
+    return object;
+}
+
 WhitePoint read_white(const JsonValue& value) {
     WhitePoint white;
     if (!value.is_object()) {

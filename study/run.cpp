@@ -75,11 +75,14 @@ ByteImage without_outline(const RunPicture& picture, const std::vector<bool>& ou
     return image;
 }
 
+/// Whether there is more to see than objects.
+bool draws_more(const Scene& scene) { return !scene.passes.empty() || !scene.historical.empty(); }
+
 /// Every picture against exact, and every other against ideal64. The exact picture knows nothing of
 /// explicit passes: a scene that has them is not compared with it.
 void compare_all(RunResult& run, std::map<std::string, std::vector<bool>> outlines) {
     for (const char* reference : {"exact", "ideal64"}) {
-        if (std::string_view(reference) == "exact" && !run.scene.passes.empty()) continue;
+        if (std::string_view(reference) == "exact" && draws_more(run.scene)) continue;
         for (const RunPicture& a : run.pictures)
             for (const RunPicture& b : run.pictures)
                 if (b.name == reference && a.name != "exact" && a.name != reference)
@@ -198,9 +201,10 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
     clock.begin("compare");
     compare_all(run, outlines_of(scene, assets));
     note_black_channels(run);
-    if (!scene.objects.empty() && !scene.passes.empty())
+    if (!scene.objects.empty() && draws_more(scene))
         run.notes.push_back(
-            "exact shows the objects without the explicit passes; no picture is "
+            "exact shows the objects alone, without historical ones and explicit passes; no "
+            "picture is "
             "compared with it");
     if (nothing_drawn(run)) run.warnings.push_back("no pixel of any object is visible");
     clock.end();

@@ -125,9 +125,10 @@ TEST_CASE("a light without direction and lobes that do not sum to 1 are errors")
 TEST_CASE("a choice takes exactly one of its kinds") {
     CHECK(object_error("environment.latlong=a.hdr") ==
           "x.json: environment: has both 'latlong' and 'directional', needs one");
-    CHECK(object_error("environment={}") ==
-          "x.json: environment: needs one of: latlong, probe, cube_cross, cube_strip, cube_openexr, "
-          "dual_paraboloid, painted, directional");
+    CHECK(
+        object_error("environment={}") ==
+        "x.json: environment: needs one of: latlong, probe, cube_cross, cube_strip, cube_openexr, "
+        "dual_paraboloid, painted, directional");
     CHECK(object_error("environment.repair=true") ==
           "x.json: environment.repair: belongs to a picture's file and there is none");
     const std::string pictured = "environment={\"probe\": \"e.exr\"}";
@@ -135,14 +136,15 @@ TEST_CASE("a choice takes exactly one of its kinds") {
           "x.json: environment.guard: belongs to 'dual_paraboloid'");
     CHECK(error_of(one_object, {pictured, "environment.orientation={\"up\":[0,0,2]}"}) ==
           "x.json: environment.orientation: 'forward' and 'up' span no plane");
-    CHECK(error_of(one_object, {"environment={\"probe\": \"../e.exr\"}"}).find(
-              "environment.probe: '../e.exr' leads out") != std::string::npos);
+    CHECK(error_of(one_object, {"environment={\"probe\": \"../e.exr\"}"})
+              .find("environment.probe: '../e.exr' leads out") != std::string::npos);
     CHECK(object_error("meshes.suzanne={}") ==
           "x.json: meshes.suzanne: needs one of: file, sphere, quad, vertices");
 }
 
 TEST_CASE("a scene needs something to draw, and objects need light") {
-    CHECK(error_of("{}") == "x.json: needs at least one element in 'objects' or 'passes'");
+    CHECK(error_of("{}") ==
+          "x.json: needs at least one element in 'objects', 'historical' or 'passes'");
     CHECK(object_error("environment=null") ==
           "x.json: environment: is missing, and 'objects' are lit by it");
     CHECK(object_error("objects.0={\"mesh\":\"suzanne\"}") ==
