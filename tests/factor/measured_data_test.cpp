@@ -76,10 +76,8 @@ TEST_CASE("D04 a MERL file of other size or dimensions is refused, an LFS pointe
     CHECK(contains(merl_refusal(whole), "this one 34992011"));
 }
 
-TEST_CASE(
-    "D04 a MERL value is that of its bin, scaled by 1, 1.15 and 1.66 over 1500; marks are no "
-    "values",
-    "[hard][D04]") {
+TEST_CASE("D04 a MERL value is that of its bin in its channel's scale, and a mark is none",
+          "[hard][D04]") {
     const Bytes file = merl_file([](int c, int i, int j, int k) {
         if (c == 1 && i == 0) return -1.0;  // 16,200 marks
         return 1.0 + k + 200.0 * (j + 100.0 * i);
@@ -119,7 +117,8 @@ TEST_CASE("the tables of observer and D65 give D65's white, and an even spectrum
     }
 }
 
-TEST_CASE("a Cornell file is numbers between comments; what cannot be is refused with its line") {
+TEST_CASE(
+    "a Cornell file is numbers between comments, and what cannot be is refused with its line") {
     const MeasuredData data =
         parse_cornell("2 # count\r\n450 # nm\n650\n\n0.5 0 0.25 3 .125 .125", "c");
     REQUIRE(data.scattered.size() == 1);

@@ -50,7 +50,7 @@ Framebuffer picture_of(const std::string& scene_text, const std::filesystem::pat
 }  // namespace
 
 TEST_CASE(
-    "a factor set's text is name, kind and constants; what cannot be is refused by its line") {
+    "a factor set's text is name, kind and constants, and what cannot be is refused by its line") {
     const FactorSet set = parse_factor_set(text, "f.txt");
     CHECK(set.name == "Red paint");
     CHECK(set.kind == FactorSet::Kind::product);
