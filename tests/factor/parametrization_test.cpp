@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "factor/directions.hpp"
+#include "tests/texunit/sample_builders.hpp"
 
 using namespace twofold;
 
@@ -73,5 +74,32 @@ TEST_CASE("filtering a map linear in s and t gives the linear function itself") 
         const Vec2 st = to_paraboloid(at.n, shape.guard).st;
         REQUIRE(filtered(map, footprint_of(at.n, shape)) ==
                 Approx(2.0 * st.x - 3.0 * st.y).margin(1e-14));
+    }
+}
+
+TEST_CASE("a footprint weighs the texels that a texture unit samples, with both guards") {
+    // Texel by texel: a texture that is 1 at one texel and 0 elsewhere shows that texel's weight.
+    const Ideal64 m;
+    for (const double guard : {0.875, 1.0}) {
+        const MapShape shape{8, guard};
+        for (const SurfaceView& at : surface_views(200, 11)) {
+            const TexelFootprint footprint = footprint_of(at.n, shape);
+            const Face face = face_of(at.n);
+            const Vec4 st = paraboloid_matrix(face, guard) * Vec4(at.n, 1.0);
+            std::array<double, 64> weight{};
+            for (std::size_t k = 0; k < 4; ++k)
+                weight[footprint.index[k] % 64] += footprint.weight[k];
+            for (std::size_t k = 0; k < 4; ++k) {
+                std::vector<Rgba32f> texels(64, Rgba32f{});
+                const std::size_t texel = footprint.index[k] % 64;
+                texels[texel] = {1.0F, 1.0F, 1.0F, 1.0F};
+                const auto texture = upload(m, Texture{8, 8, texels});
+                const auto here = coordinates<double>(st.x, st.y, 0.0, st.w);
+                const auto sampled =
+                    sample(m, texture, TextureUnitState{}, {here, here, here}, {})[0];
+                REQUIRE(sampled == Approx(weight[texel]).margin(1e-14));
+                REQUIRE(footprint.index[k] / 64 == (face == Face::front ? 0U : 1U));
+            }
+        }
     }
 }
