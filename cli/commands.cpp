@@ -54,8 +54,9 @@ void print_fit(const FactoredMaterials& materials) {
             fmt::print(
                 "{} {}: {} in {} iterations, relative rms {:.4f}, log rms {:.4f}, median {:.4f}, "
                 "p95 {:.4f}, c {:.4g}\n",
-                name, channel_name(c), name_of(f.solver.status), f.solver.iterations,
-                f.relative_rms, f.log_rms, f.median, f.p95, lighting.c[static_cast<int>(c)]);
+                name, channel_name(c), status_text(lighting, c), f.solver.iterations,
+                f.relative_rms, f.log_rms, f.median, f.p95,
+                lighting.terms[0].c[static_cast<int>(c)]);
         }
 }
 
@@ -113,7 +114,9 @@ ExitCode run_command(const RunOptions& options, const CommonOptions& common) {
 }
 
 ExitCode factor_command(const FactorOptions& options, const CommonOptions& common) {
-    const Scene scene = read_scene(options.scene, common.overrides);
+    std::vector<std::string> overrides = common.overrides;
+    if (!options.solver.empty()) overrides.push_back("factorization.solver=" + options.solver);
+    const Scene scene = read_scene(options.scene, overrides);
     if (scene.objects.empty())
         throw Error(ExitCode::failure, options.scene + ": objects: there is nothing to factor");
     const OutputFolder folder(options.output);

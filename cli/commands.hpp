@@ -30,6 +30,7 @@ ExitCode run_command(const RunOptions& options, const CommonOptions& common);
 struct FactorOptions {
     std::string scene;
     std::string output;
+    std::string solver;  ///< empty = the scene's
 };
 ExitCode factor_command(const FactorOptions& options, const CommonOptions& common);
 

@@ -42,19 +42,22 @@ void print_table(Preset preset) {
 }
 
 /// A lighting function that stands for one not yet factored: one texel a face, scale 1.
-FactoredLighting stand_in() {
-    FactoredLighting lighting;
-    for (FactorMap* map : {&lighting.t1, &lighting.t2})
+FactoredLighting stand_in(std::size_t terms) {
+    ProductTerm term;
+    for (FactorMap* map : {&term.t1, &term.t2})
         for (std::size_t face = 0; face < 2; ++face) {
             map->real[face] = {1, 1, std::vector<Rgba32f>{{1.0f, 1.0f, 1.0f, 1.0f}}};
             map->bytes[face] = {1, 1, std::vector<Rgba8>{{255, 255, 255, 255}}};
         }
+    FactoredLighting lighting;
+    lighting.terms.assign(terms, term);
     return lighting;
 }
 
 Frame explained_frame(const Scene& scene) {
     FactoredMaterials materials;
-    for (const FactoredObject& object : scene.objects) materials[object.material] = stand_in();
+    for (const FactoredObject& object : scene.objects)
+        materials[object.material] = stand_in(static_cast<std::size_t>(scene.factorization.terms));
     return make_frame(scene, load_assets(scene), materials, scene.presets.front());
 }
 

@@ -50,6 +50,8 @@ void define_factor(CLI::App& app, Options& o) {
     c->add_option("SCENE", o.factor.scene, "Scene file")->required();
     c->add_option("-o,--output", o.factor.output, "Folder for the maps and factors.json")
         ->required();
+    c->add_option("--solver", o.factor.solver,
+                  "qmr, lsmr, cgls or qmr_augmented; without it the scene's");
     add_common(*c, o.common, true);
     c->footer("Example: twofold factor scenes/sphere-lobe.json -o maps --json");
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "texunit/error.hpp"
@@ -53,6 +54,34 @@ NormalisedChannel normalised(std::span<const double> log_texels, const MapShape&
     return channel;
 }
 
+NormalisedChannel limited(const NormalisedChannel& channel, const MapShape& shape, double limit) {
+    if (limit == 1.0) return channel;
+    NormalisedChannel result{std::vector<double>(channel.texel.size()),
+                             channel.log_maximum + exact::log(limit)};
+    std::size_t opaque = 0, clipped = 0;
+    for (std::size_t j = 0; j < channel.texel.size(); ++j) {
+        result.texel[j] = min(channel.texel[j] / limit, 1.0);
+        if (!is_opaque(j, shape)) continue;
+        ++opaque;
+        clipped += channel.texel[j] > limit ? 1U : 0U;
+    }
+    result.clipped_share = static_cast<double>(clipped) / static_cast<double>(opaque);
+    return result;
+}
+
+double percentile(const NormalisedChannel& channel, const MapShape& shape, double percent) {
+    std::vector<double> values;
+    for (std::size_t j = 0; j < channel.texel.size(); ++j)
+        if (is_opaque(j, shape)) values.push_back(channel.texel[j]);
+    std::stable_sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(percent / 100.0 *
+                                           static_cast<double>(values.size() - 1))];
+}
+
+NormalisedChannel white_channel(const MapShape& shape) {
+    return {std::vector<double>(shape.texels(), 1.0)};
+}
+
 NormalisedChannel black_channel(const MapShape& shape) {
     return {std::vector<double>(shape.texels(), 0.0), 0.0};
 }
@@ -76,7 +105,10 @@ FactorMap make_factor_map(const std::array<NormalisedChannel, 3>& channels, cons
         map.real[face] = {shape.size, shape.size, std::move(real)};
         map.bytes[face] = {shape.size, shape.size, std::move(bytes)};
     }
-    for (std::size_t c = 0; c < 3; ++c) map.loss[c] = byte_loss(channels[c].texel, shape);
+    for (std::size_t c = 0; c < 3; ++c) {
+        map.loss[c] = byte_loss(channels[c].texel, shape);
+        map.loss[c].clipped_share = channels[c].clipped_share;
+    }
     return map;
 }
 
@@ -96,34 +128,6 @@ ByteLoss byte_loss(std::span<const double> texels, const MapShape& shape) {
 
 std::uint8_t to_byte(double x) {
     return static_cast<std::uint8_t>(to_fixed_half_up(255.0 * x, 0, 255));
-}
-
-ScaleSplit split_scale(Rgb c) {
-    ScaleSplit split;
-    for (int i = 0; i < 3; ++i) {
-        if (std::isfinite(c[i]) && c[i] >= 0.0) continue;
-        throw Error(ExitCode::failure,
-                    fmt::format("factor: scale constant of channel {} is {}",
-                                channel_name(static_cast<std::size_t>(i)), c[i]));
-    }
-    const double largest = max_component(c);
-    while (split.combiner_scale < 4 && split.combiner_scale < largest) split.combiner_scale *= 2;
-    double scale = split.combiner_scale;
-    for (; scale < largest; scale *= 2.0) ++split.doubling_passes;
-    split.color = c / scale;
-
-    if (split.doubling_passes > 0) {
-        split.warnings.push_back(
-            fmt::format("scale constant {:.6g} exceeds the combiner's 4: {} doubling passes needed",
-                        largest, split.doubling_passes));
-    }
-    for (int i = 0; i < 3; ++i) {
-        if (c[i] == 0.0 || split.color[i] >= 1.0 / 510.0) continue;
-        split.warnings.push_back(
-            fmt::format("channel {} vanishes: vertex colour {:.6g} is 0 in 8 bits",
-                        channel_name(static_cast<std::size_t>(i)), split.color[i]));
-    }
-    return split;
 }
 
 const char* channel_name(std::size_t channel) {

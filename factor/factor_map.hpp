@@ -15,8 +15,9 @@ namespace twofold {
 
 /// One channel of a factor: exp(x) divided by its maximum.
 struct NormalisedChannel {
-    std::vector<double> texel;  ///< in [0, 1], 2 R^2 of them; all 0 for a black channel
-    double log_maximum = 0.0;   ///< logarithm of what was divided by
+    std::vector<double> texel;   ///< in [0, 1], 2 R^2 of them; all 0 for a black channel
+    double log_maximum = 0.0;    ///< logarithm of what was divided by
+    double clipped_share = 0.0;  ///< share of the texels with alpha 1 that were lowered to 1
 };
 
 /// Exponentiates and normalises one channel. The maximum is taken over the texels whose alpha is 1,
@@ -26,13 +27,23 @@ struct NormalisedChannel {
 NormalisedChannel normalised(std::span<const double> log_texels, const MapShape& shape,
                              const std::string& name);
 
+/// The same with `limit` of its values as the new 1, which takes what is above down to it.
+NormalisedChannel limited(const NormalisedChannel& channel, const MapShape& shape, double limit);
+
+/// The value that `percent` of a hundred of the texels with alpha 1 do not exceed.
+double percentile(const NormalisedChannel& channel, const MapShape& shape, double percent);
+
+/// A channel whose texels are all 1.
+NormalisedChannel white_channel(const MapShape& shape);
+
 /// The channel of a factor that is 0 everywhere.
 NormalisedChannel black_channel(const MapShape& shape);
 
 /// What 8 bits leave of a channel, over the texels whose alpha is 1.
 struct ByteLoss {
-    int levels = 0;           ///< distinct bytes below the largest
-    double zero_share = 0.0;  ///< share of texels stored as 0
+    int levels = 0;              ///< distinct bytes below the largest
+    double zero_share = 0.0;     ///< share of texels stored as 0
+    double clipped_share = 0.0;  ///< share of texels that were lowered to the largest
 };
 
 /// A factor as texture images, [0] the front face and [1] the back. Alpha is the binary disc of
@@ -54,19 +65,6 @@ ByteLoss byte_loss(std::span<const double> texels, const MapShape& shape);
 
 /// floor(255 x + 1/2) in 0..255.
 std::uint8_t to_byte(double x);
-
-/// The constant c = max t1 max t2 / white spread over what the hardware has: c = color x
-/// combiner_scale x 2^doubling_passes in each channel.
-struct ScaleSplit {
-    Rgb color{0.0};           ///< vertex colour, in [0, 1]
-    int combiner_scale = 1;   ///< k, the smallest of 1, 2, 4 that is not below the largest c, or 4
-    int doubling_passes = 0;  ///< ceil(log2(c / 4)) where c exceeds 4
-    std::vector<std::string> warnings;
-};
-
-/// Splits the constants of the three channels.
-/// @throws Error naming the channel if a constant is not finite or negative
-ScaleSplit split_scale(Rgb c);
 
 /// "red", "green" or "blue".
 const char* channel_name(std::size_t channel);

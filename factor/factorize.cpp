@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "factor/first_guess.hpp"
-#include "factor/lsmr.hpp"
-#include "factor/qmr.hpp"
+#include "factor/refine.hpp"
+#include "factor/scale.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/parallel.hpp"
@@ -20,12 +22,12 @@ namespace {
 /// section 8).
 constexpr std::size_t wanted_samples_per_unknown = 10;
 
-/// One channel on its way from samples to texels.
+/// The search for the best scale looks at no more pairs than this.
+constexpr std::size_t scale_pairs = 4096;
+
+/// One channel on its way from samples to texels: its products, and how they were found.
 struct ChannelResult {
-    NormalisedChannel t1;
-    NormalisedChannel t2;
-    double max1 = 0.0;
-    double max2 = 0.0;
+    std::vector<ChannelProduct> terms;
     ChannelFit fit;
 };
 
@@ -54,44 +56,105 @@ void check(const LightingSamples& fit, const LightingSamples& held_out, const Fa
     require(std::isfinite(s.row_weight), fmt::format("row_weight is {}", s.row_weight));
     require(s.tolerance >= 0.0, fmt::format("tolerance is {}", s.tolerance));
     require(s.iteration_limit > 0, fmt::format("iteration_limit is {}", s.iteration_limit));
+    require(s.view_knots == 0 || (s.view_knots >= 2 && s.view_knots <= 256),
+            fmt::format("view_knots is {}", s.view_knots));
+    require(s.view_smoothness >= 0.0 && std::isfinite(s.view_smoothness),
+            fmt::format("view_smoothness is {}", s.view_smoothness));
+    require(s.terms >= 1 && s.terms <= 4, fmt::format("terms is {}", s.terms));
+    require(
+        s.terms == 1 || s.refinement > 0,
+        fmt::format("terms is {} but refinement is 0, and only it tells products apart", s.terms));
+    require(s.refinement >= 0, fmt::format("refinement is {}", s.refinement));
+    require(std::isfinite(s.refinement_weight),
+            fmt::format("refinement_weight is {}", s.refinement_weight));
+    require(s.scale_percentile > 0.0 && s.scale_percentile <= 100.0,
+            fmt::format("scale_percentile is {}", s.scale_percentile));
     require(white >= 0.0 && std::isfinite(white), fmt::format("white is {}", white));
 }
 
 Solution solve(const WeightedSystem& system, const Vector& start, const FactorSettings& settings) {
     const StopRule rule{.tolerance = settings.tolerance,
-                        .iteration_limit = settings.iteration_limit};
-    const Vector b = system.right_side();
-    const Vector y = system.scaled_unknowns(start);
+                        .iteration_limit = settings.iteration_limit,
+                        .window = settings.stagnation_window,
+                        .keep_best = settings.keep_best};
     Solution solution =
-        settings.solver == Solver::qmr
-            ? solve_qmr(system.normal_equations(), system.apply_transpose(b), y, rule)
-            : solve_lsmr(system.least_squares(), b, y, rule);
-    solution.x = balanced(system.unknowns(solution.x));
+        solve(settings.solver, system.problem(), system.scaled_unknowns(start), rule);
+    solution.x = system.gauge().balanced(system.unknowns(solution.x));
     return solution;
 }
 
-ChannelResult factor_channel(const LogRows& left, std::span<const double> radiance,
+/// g from its logarithms, divided by its largest value, whose logarithm is added to `log_maximum`.
+std::vector<double> view_of(std::span<const double> logs, double& log_maximum) {
+    if (logs.empty()) return {};
+    const double largest = *std::max_element(logs.begin(), logs.end());
+    log_maximum += largest;
+    std::vector<double> view;
+    for (const double value : logs) view.push_back(exact::exp(value - largest));
+    return view;
+}
+
+ChannelProduct product_of(std::span<const double> x, const MapShape& shape, const char* channel) {
+    ChannelProduct product;
+    const std::size_t texels = shape.texels();
+    product.t1 = normalised(x.first(texels), shape, fmt::format("t1 {}", channel));
+    product.t2 = normalised(x.subspan(texels, texels), shape, fmt::format("t2 {}", channel));
+    double log_view = 0.0;
+    product.view = view_of(x.subspan(2 * texels), log_view);
+    product.scale = exact::exp(product.t1.log_maximum) * exact::exp(product.t2.log_maximum);
+    if (!product.view.empty()) product.scale *= exact::exp(log_view);
+    return product;
+}
+
+ChannelProduct black_product(const MapShape& shape) {
+    return {black_channel(shape), black_channel(shape), {}, 0.0};
+}
+
+/// The left sides: of the log fit and, if there is a refinement, of the fit to filtered texels.
+struct LeftSides {
+    LogRows log;
+    std::optional<ProductRows> product;
+};
+
+bool refines(const FactorSettings& settings) {
+    return settings.refinement > 0 || settings.terms > 1;
+}
+
+/// The logarithms of all terms, from those of the first.
+Vector refined_terms(const LeftSides& left, const ChannelRows& right,
+                     const FactorSettings& settings, Vector x, int threads) {
+    if (!left.product) return x;
+    if (settings.terms > 1)
+        x = divided_terms(x, static_cast<std::size_t>(settings.terms), left.log.shape);
+    return refine(*left.product,
+                  product_target(right, left.log.samples, settings.refinement_weight), std::move(x),
+                  settings.refinement, threads)
+        .x;
+}
+
+ChannelResult factor_channel(const LeftSides& left, std::span<const double> radiance,
                              const FactorSettings& settings, double white, const char* name,
                              int threads) {
-    const ChannelRows right = channel_rows(left, radiance, settings, white);
+    const MapShape& shape = left.log.shape;
+    const auto terms = static_cast<std::size_t>(settings.terms);
+    const ChannelRows right = channel_rows(left.log, radiance, settings, white);
     ChannelResult result;
     result.fit.counts = right.treated;
     if (right.black()) {
-        result.t1 = result.t2 = black_channel(left.shape);
+        result.terms.assign(terms, black_product(shape));
         return result;
     }
-    const FirstGuess guess = first_guess(left, right, settings.fill_power, threads);
-    const WeightedSystem system(left, right, settings.column_scaling, threads);
+    const FirstGuess guess = first_guess(left.log, right, settings.fill_power, threads);
+    const WeightedSystem system(left.log, right, settings, threads);
     Solution solution = solve(system, guess.x, settings);
-
-    const std::span<const double> x = solution.x;
-    result.t1 = normalised(x.first(left.shape.texels()), left.shape, fmt::format("t1 {}", name));
-    result.t2 = normalised(x.last(left.shape.texels()), left.shape, fmt::format("t2 {}", name));
-    result.max1 = exact::exp(result.t1.log_maximum);
-    result.max2 = exact::exp(result.t2.log_maximum);
+    const std::size_t unknowns = solution.x.size();
+    const Vector x = refined_terms(left, right, settings, std::move(solution.x), threads);
+    for (std::size_t k = 0; k < terms; ++k)
+        result.terms.push_back(
+            product_of(std::span(x).subspan(k * unknowns, unknowns), shape, name));
+    result.fit.components = system.gauge().components();
     result.fit.solver = std::move(solution.report);
     result.fit.untouched_share =
-        static_cast<double>(guess.untouched) / static_cast<double>(x.size());
+        static_cast<double>(guess.untouched) / static_cast<double>(2 * shape.texels());
     return result;
 }
 
@@ -130,6 +193,12 @@ std::vector<std::string> channel_warnings(const FactoredLighting& result,
         warnings.push_back(fmt::format("{}: the solver ended with {} after {} iterations", name,
                                        name_of(fit.solver.status), fit.solver.iterations));
     }
+    if (fit.components > 1) {
+        warnings.push_back(
+            fmt::format("{}: the samples fall into {} components, whose scales against each other "
+                        "are arbitrary",
+                        name, fit.components));
+    }
     if (settings.smoothness == 0.0 && fit.untouched_share > 0.0) {
         warnings.push_back(
             fmt::format("{}: {:.1f} % of the texels are touched by no sample and keep their first "
@@ -137,8 +206,8 @@ std::vector<std::string> channel_warnings(const FactoredLighting& result,
                         name, 100.0 * fit.untouched_share));
     }
     if (bytes_are_too_few(fit)) {
-        const ByteLoss& first = result.t1.loss[channel];
-        const ByteLoss& second = result.t2.loss[channel];
+        const ByteLoss& first = result.terms[0].t1.loss[channel];
+        const ByteLoss& second = result.terms[0].t2.loss[channel];
         warnings.push_back(fmt::format(
             "{}: relative error {:.3g}, in 8 bits {:.3g}; {:.1f} % of t1 and {:.1f} % of t2 are "
             "stored as 0, {} and {} levels are left below the maximum",
@@ -152,48 +221,86 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
     to.insert(to.end(), more.begin(), more.end());
 }
 
-FactoredLighting assemble(std::array<ChannelResult, 3>& channels, const MapShape& shape,
-                          double white) {
-    FactoredLighting result;
-    result.t1 = make_factor_map({channels[0].t1, channels[1].t1, channels[2].t1}, shape, "t1");
-    result.t2 = make_factor_map({channels[0].t2, channels[1].t2, channels[2].t2}, shape, "t2");
-    result.white = white;
-    for (int i = 0; i < 3; ++i) {
-        ChannelResult& channel = channels[static_cast<std::size_t>(i)];
-        result.max1[i] = channel.max1;
-        result.max2[i] = channel.max2;
-        // A black channel has no constant, whatever white is.
-        result.c[i] = channel.max1 > 0.0 ? channel.max1 * channel.max2 / white : 0.0;
-        result.fit[static_cast<std::size_t>(i)] = std::move(channel.fit);
+std::vector<Rgb> view_of(const std::array<ChannelProduct, 3>& channels) {
+    std::size_t knots = 0;
+    for (const ChannelProduct& channel : channels) knots = std::max(knots, channel.view.size());
+    std::vector<Rgb> view(knots, Rgb(1.0));
+    for (int c = 0; c < 3; ++c) {
+        const std::vector<double>& table = channels[static_cast<std::size_t>(c)].view;
+        for (std::size_t k = 0; k < table.size(); ++k) view[k][c] = table[k];
     }
-    const ScaleSplit split = split_scale(result.c);
-    result.scale_color = split.color;
-    result.combiner_scale = split.combiner_scale;
-    result.doubling_passes = split.doubling_passes;
-    result.warnings = split.warnings;
-    return result;
+    return view;
+}
+
+ProductTerm term_of(const ScaledProduct& product, const MapShape& shape) {
+    const auto& [red, green, blue] = product.channels;
+    ProductTerm term;
+    term.t1 = make_factor_map({red.t1, green.t1, blue.t1}, shape, "t1");
+    term.t2 = make_factor_map({red.t2, green.t2, blue.t2}, shape, "t2");
+    term.view = view_of(product.channels);
+    term.scale_color = product.split.color;
+    term.combiner_scale = product.split.combiner_scale;
+    term.c = product.c;
+    for (int i = 0; i < 3; ++i) {
+        const ChannelProduct& channel = product.channels[static_cast<std::size_t>(i)];
+        if (channel.scale == 0.0) continue;
+        term.max1[i] = exact::exp(channel.t1.log_maximum);
+        term.max2[i] = exact::exp(channel.t2.log_maximum);
+    }
+    return term;
+}
+
+std::span<const PairFootprint> first_pairs(const std::vector<PairFootprint>& pairs) {
+    return std::span(pairs).first(std::min(pairs.size(), scale_pairs));
 }
 
 }  // namespace
 
+FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
+                           std::array<ChannelFit, 3> fit, const LightingSamples& judged,
+                           const FactorSettings& settings, double white) {
+    const MapShape shape{settings.map_size, settings.guard};
+    const std::vector<PairFootprint> pairs = footprints_of(judged.at, shape);
+    FactoredLighting result;
+    result.white = white;
+    result.fit = std::move(fit);
+    std::vector<ScaledProduct> scaled;
+    for (const auto& channels : terms) {
+        scaled.push_back(scaled_product(channels, settings, white, first_pairs(pairs)));
+        append(result.warnings, scaled.back().split.warnings);
+        result.doubling_passes =
+            std::max(result.doubling_passes, scaled.back().split.doubling_passes);
+    }
+    for (ScaledProduct& product : scaled) {
+        product.split = with_doubling(std::move(product.split), result.doubling_passes);
+        result.terms.push_back(term_of(product, shape));
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<ChannelProduct> channel;
+        for (const ScaledProduct& product : scaled) channel.push_back(product.channels[c]);
+        put_error(result.fit[c],
+                  fit_error(channel, pairs, channel_of(judged.radiance, static_cast<int>(c))));
+    }
+    return result;
+}
+
 FactoredLighting factorize(const LightingSamples& fit, const LightingSamples& held_out,
                            const FactorSettings& settings, double white, int threads) {
     check(fit, held_out, settings, white);
-    const LogRows left = log_rows(fit.at, settings);
-    const LightingSamples& judged = held_out.at.empty() ? fit : held_out;
-    const std::vector<PairFootprint> pairs = footprints_of(judged.at, left.shape);
+    LeftSides left{log_rows(fit.at, settings), std::nullopt};
+    if (refines(settings)) left.product = product_rows(left.log);
 
     std::array<ChannelResult, 3> channels;
     parallel_for(3, threads, [&](std::size_t c) {
-        const int channel = static_cast<int>(c);
-        ChannelResult& result = channels[c];
-        result = factor_channel(left, channel_of(fit.radiance, channel), settings, white,
-                                channel_name(c), threads);
-        put_error(result.fit, fit_error(result.t1, result.t2, result.max1 * result.max2, pairs,
-                                        channel_of(judged.radiance, channel)));
+        channels[c] = factor_channel(left, channel_of(fit.radiance, static_cast<int>(c)), settings,
+                                     white, channel_name(c), threads);
     });
-
-    FactoredLighting result = assemble(channels, left.shape, white);
+    std::vector<std::array<ChannelProduct, 3>> terms;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(settings.terms); ++k)
+        terms.push_back({channels[0].terms[k], channels[1].terms[k], channels[2].terms[k]});
+    FactoredLighting result =
+        assembled(std::move(terms), {channels[0].fit, channels[1].fit, channels[2].fit},
+                  held_out.at.empty() ? fit : held_out, settings, white);
     append(result.warnings, sample_warnings(fit, settings));
     for (std::size_t c = 0; c < 3; ++c)
         append(result.warnings, channel_warnings(result, settings, c));

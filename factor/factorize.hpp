@@ -17,26 +17,43 @@ struct ChannelFit {
     SolverReport solver;
     TreatedSamples counts;
     double untouched_share = 0.0;  ///< share of the texels of both maps that no sample touches
+    std::size_t components = 0;  ///< parts of the system that no row joins; each has its own gauge
 
     /// At the held-out pairs, or at the fit's own if none were given; defined in FitError.
     double relative_rms = 0.0, byte_rms = 0.0, log_rms = 0.0, median = 0.0, p95 = 0.0;
 };
 
-/// The lighting function as two textures and a constant:
-/// L_o(v, n) / white ~ scale_color x combiner_scale x 2^doubling_passes x T1(n) x T2(r_v).
+/// One product of the sum:
+/// white x scale_color x combiner_scale x 2^doubling_passes x T1(n) x T2(r_v) x view(n.v).
+struct ProductTerm {
+    FactorMap t1;              ///< over the normal n
+    FactorMap t2;              ///< over the reflected view r_v
+    bool constant_t2 = false;  ///< T2 is 1 everywhere: no unit needs to look it up
+    std::vector<Rgb> view;     ///< g at its knots (factor/view_table.hpp), largest 1; empty = 1
+    Rgb scale_color{0.0};      ///< vertex colour, in [0, 1]
+    int combiner_scale = 1;    ///< 1, 2 or 4
+    Rgb max1{0.0};             ///< what T1 was divided by; 0 in a black channel
+    Rgb max2{0.0};             ///< what T2 was divided by
+    Rgb c{0.0};                ///< max t1 max t2 max g / white
+};
+
+/// The lighting function as a sum of products, each two textures, a constant and perhaps a table:
+/// L_o(v, n) / white ~ 2^doubling_passes x the sum of what the terms' passes show.
 struct FactoredLighting {
-    FactorMap t1;             ///< over the normal n
-    FactorMap t2;             ///< over the reflected view r_v
-    Rgb scale_color{0.0};     ///< vertex colour, in [0, 1]
-    int combiner_scale = 1;   ///< 1, 2 or 4
-    int doubling_passes = 0;  ///< 0 unless c exceeds 4
-    Rgb max1{0.0};            ///< what T1 was divided by; 0 in a black channel
-    Rgb max2{0.0};            ///< what T2 was divided by
-    Rgb c{0.0};               ///< max1 max2 / white
-    double white = 1.0;       ///< radiance that the picture shows as 1
+    std::vector<ProductTerm> terms;  ///< one, unless FactorSettings::terms asks for more
+    int doubling_passes = 0;         ///< 0 unless a term's c exceeds 4
+    double white = 1.0;              ///< radiance that the picture shows as 1
+    std::string closed_form;         ///< the shortcut that gave the texels; empty: they were fitted
     std::array<ChannelFit, 3> fit;
     std::vector<std::string> warnings;
 };
+
+/// Puts the channels of the terms together: units and scale of the maps, images, error figures.
+/// @param terms by term, then channel; maps divided by their maxima
+/// @param fit what is known of the fits; the error figures are filled in
+FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
+                           std::array<ChannelFit, 3> fit, const LightingSamples& judged,
+                           const FactorSettings& settings, double white);
 
 /// Factors samples of the lighting function, each channel for itself. The result has the same bits
 /// at every number of threads.

@@ -70,8 +70,10 @@ FirstGuess first_guess(const LogRows& left, const ChannelRows& right, double pow
     const double half_mean =
         0.5 * ordered_sum(left.samples, [&](std::size_t i) { return right.right_side[i]; }) /
         static_cast<double>(right.treated.used);
+    const std::size_t first_knot = 2 * left.shape.texels();
     for (std::size_t j = 0; j < guess.x.size(); ++j) {
-        guess.x[j] = weight[j] > 0.0 ? guess.x[j] / weight[j] - half_mean : 0.0;
+        const double share = j < first_knot ? half_mean : 2.0 * half_mean;
+        guess.x[j] = weight[j] > 0.0 ? guess.x[j] / weight[j] - share : 0.0;
     }
     for (const std::size_t first : {std::size_t{0}, left.shape.texels()}) {
         guess.untouched += fill_map(guess.x, weight, first, left.shape, power, threads);

@@ -14,7 +14,8 @@ struct FirstGuess {
 /// Texels that samples touch start at the weighted mean of the samples' logarithms, less half the
 /// mean of all, which each map carries once; the others at the inverse-distance mean of the touched
 /// texels of their own map, with chord distance d of the texels' directions and weights d^-power
-/// (where directions coincide, the value of the first such texel). A mean of values is never the
+/// (where directions coincide, the value of the first such texel). Knots of g(n.v) start at their
+/// mean less that of all, or at 0. A mean of values is never the
 /// largest, so no filled texel owns the maximum of a map.
 /// @source seed paper, section 3.1, which states neither power nor metric
 FirstGuess first_guess(const LogRows& left, const ChannelRows& right, double power, int threads);

@@ -21,21 +21,25 @@ struct Compared {
     std::vector<double> radiance;
 };
 
-Compared compare(std::span<const double> t1, std::span<const double> t2, double scale,
-                 std::span<const PairFootprint> pairs, std::span<const double> radiance) {
+Compared compare(std::span<const ChannelProduct> terms, std::span<const PairFootprint> pairs,
+                 std::span<const double> radiance) {
     Compared compared;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (!std::isfinite(radiance[i])) continue;
-        compared.product.push_back(scale * filtered(t1, pairs[i].first) *
-                                   filtered(t2, pairs[i].second));
+        double sum = 0.0;
+        for (const ChannelProduct& term : terms) sum += product_at(term, pairs[i]);
+        compared.product.push_back(sum);
         compared.radiance.push_back(max(radiance[i], 0.0));
     }
     return compared;
 }
 
-std::vector<double> as_bytes(std::span<const double> texels) {
-    std::vector<double> stored(texels.size());
-    for (std::size_t j = 0; j < texels.size(); ++j) stored[j] = to_byte(texels[j]) / 255.0;
+std::vector<ChannelProduct> in_bytes(std::span<const ChannelProduct> terms) {
+    std::vector<ChannelProduct> stored(terms.begin(), terms.end());
+    for (ChannelProduct& term : stored) {
+        term.t1.texel = byte_values(term.t1.texel);
+        term.t2.texel = byte_values(term.t2.texel);
+    }
     return stored;
 }
 
@@ -79,21 +83,33 @@ std::vector<PairFootprint> footprints_of(std::span<const SurfaceView> at, const 
     std::vector<PairFootprint> footprints;
     footprints.reserve(at.size());
     for (const SurfaceView& pair : at) {
-        footprints.push_back({footprint_of(pi_1(pair), shape), footprint_of(pi_2(pair), shape)});
+        footprints.push_back({footprint_of(pi_1(pair), shape), footprint_of(pi_2(pair), shape),
+                              dot(pair.n, pair.v)});
     }
     return footprints;
 }
 
-FitError fit_error(const NormalisedChannel& t1, const NormalisedChannel& t2, double scale,
-                   std::span<const PairFootprint> pairs, std::span<const double> radiance) {
-    const Compared c = compare(t1.texel, t2.texel, scale, pairs, radiance);
+double product_at(const ChannelProduct& product, const PairFootprint& at) {
+    const double maps = product.scale * filtered(product.t1.texel, at.first) *
+                        filtered(product.t2.texel, at.second);
+    return product.view.empty() ? maps : maps * view_value(product.view, at.cosine);
+}
+
+std::vector<double> byte_values(std::span<const double> texels) {
+    std::vector<double> stored(texels.size());
+    for (std::size_t j = 0; j < texels.size(); ++j) stored[j] = to_byte(texels[j]) / 255.0;
+    return stored;
+}
+
+FitError fit_error(std::span<const ChannelProduct> terms, std::span<const PairFootprint> pairs,
+                   std::span<const double> radiance) {
+    const Compared c = compare(terms, pairs, radiance);
     const double sum = ordered_sum(c.radiance.size(), [&](std::size_t i) { return c.radiance[i]; });
     if (!(sum > 0.0)) return {};
     const double floor = floor_share * sum / static_cast<double>(c.radiance.size());
     const std::vector<double> errors = sorted_relative_errors(c, floor);
     return {.relative_rms = relative_rms_of(c),
-            .byte_rms = relative_rms_of(
-                compare(as_bytes(t1.texel), as_bytes(t2.texel), scale, pairs, radiance)),
+            .byte_rms = relative_rms_of(compare(in_bytes(terms), pairs, radiance)),
             .log_rms = log_rms_of(c, floor),
             .median = nearest_rank(errors, 50),
             .p95 = nearest_rank(errors, 95)};

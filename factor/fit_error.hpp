@@ -5,10 +5,20 @@
 
 #include "factor/factor_map.hpp"
 #include "factor/samples.hpp"
+#include "factor/view_table.hpp"
 
 namespace twofold {
 
-/// How far a product P = t1 t2 is from the lighting function L at a set of pairs, in one channel.
+/// One channel of a product, each factor divided by what its 1 stands for.
+struct ChannelProduct {
+    NormalisedChannel t1;
+    NormalisedChannel t2;
+    std::vector<double> view;  ///< g at its knots, the largest 1; empty: 1 everywhere
+    double scale = 0.0;        ///< the radiance that 1 x 1 x 1 stands for
+};
+
+/// How far a sum P of products t1 t2 g is from the lighting function L at a set of pairs, in one
+/// channel.
 /// P is looked up as the hardware does, filtering the exponentiated texels linearly. Radiance below
 /// 0 counts as 0, pairs of non-finite radiance are left out; all figures are 0 for a black channel.
 struct FitError {
@@ -23,14 +33,20 @@ struct FitError {
 struct PairFootprint {
     TexelFootprint first;   ///< at pi_1
     TexelFootprint second;  ///< at pi_2
+    double cosine = 0.0;    ///< n.v
 };
 
 std::vector<PairFootprint> footprints_of(std::span<const SurfaceView> at, const MapShape& shape);
 
-/// Measures one channel. @param scale maximum of t1 times maximum of t2
-/// @param radiance one value a pair
-FitError fit_error(const NormalisedChannel& t1, const NormalisedChannel& t2, double scale,
-                   std::span<const PairFootprint> pairs, std::span<const double> radiance);
+/// Measures one channel. @param radiance one value a pair
+FitError fit_error(std::span<const ChannelProduct> terms, std::span<const PairFootprint> pairs,
+                   std::span<const double> radiance);
+
+/// P at one pair.
+double product_at(const ChannelProduct& product, const PairFootprint& at);
+
+/// The values that bytes of these store.
+std::vector<double> byte_values(std::span<const double> texels);
 
 /// One channel of samples. @param channel 0 red, 1 green, 2 blue
 std::vector<double> channel_of(std::span<const Rgb> radiance, int channel);

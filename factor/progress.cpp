@@ -42,12 +42,14 @@ const char* name_of(SolverStatus status) {
 Progress::Progress(const StopRule& rule, double start_residual)
     : rule_(rule), history_{start_residual}, best_(start_residual), reference_(start_residual) {}
 
-double Progress::tolerance() const { return max(rule_.tolerance, rounding_floor); }
+double Progress::tolerance() const {
+    return rule_.keep_best ? max(rule_.tolerance, rounding_floor) : rule_.tolerance;
+}
 
 std::optional<SolverStatus> Progress::record(double residual) {
     if (!std::isfinite(residual)) return SolverStatus::non_finite;
     history_.push_back(residual);
-    if (residual < best_) {
+    if (residual < best_ || !rule_.keep_best) {
         best_ = residual;
         best_iteration_ = iterations();
     }
@@ -56,7 +58,8 @@ std::optional<SolverStatus> Progress::record(double residual) {
         last_progress_ = iterations();
     }
     if (residual <= tolerance()) return SolverStatus::converged;
-    if (iterations() - last_progress_ >= rule_.window) return SolverStatus::stagnation;
+    if (rule_.window > 0 && iterations() - last_progress_ >= rule_.window)
+        return SolverStatus::stagnation;
     if (iterations() >= rule_.iteration_limit) return SolverStatus::limit;
     return std::nullopt;
 }

@@ -15,8 +15,13 @@ class Progress {
     /// @return the status the solve ends with, or nothing while it goes on
     std::optional<SolverStatus> record(double residual);
 
-    /// Whether the residual recorded last is the smallest yet.
+    /// Whether the residual recorded last is the smallest yet, or the rule keeps the last one.
     bool is_best() const { return best_iteration_ == iterations(); }
+
+    /// Whether a result with this recomputed residual is to be returned rather than the start.
+    bool prefers(double true_residual, double start_residual) const {
+        return !rule_.keep_best || true_residual <= start_residual;
+    }
 
     bool start_meets_tolerance() const { return history_.front() <= tolerance(); }
 

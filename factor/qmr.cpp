@@ -146,7 +146,7 @@ Solution finish(const ScaledSystem& system, const Vector& start, const Vector& b
     if (!all_finite(x)) {
         return {start, progress.report(SolverStatus::non_finite, iteration, start_residual)};
     }
-    if (!(true_residual <= start_residual)) {
+    if (!progress.prefers(true_residual, start_residual)) {
         Solution kept{start, progress.report(status, iteration, start_residual)};
         kept.report.best_iteration = 0;
         return kept;

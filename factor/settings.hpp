@@ -2,31 +2,51 @@
 
 namespace twofold {
 
-enum class Solver { qmr, lsmr };
+/// `qmr` on the normal equations, `qmr_augmented` on [I A; A^T 0]: factor/solve.hpp.
+enum class Solver { qmr, lsmr, cgls, qmr_augmented };
 
-/// How closely the factorisation follows the paper: `letter` has no smoothness and seam rows, no row
-/// weights, no column scaling and stops by the iteration limit alone; `paper` adds what makes it work.
-enum class Method { letter, paper };
+/// How closely the factorisation follows the paper: `letter` has no smoothness and seam rows, no
+/// row weights, no column scaling and stops by the iteration limit alone; `paper` adds what makes
+/// it work.
+enum class Method { letter, paper, best };
+
+/// What a map is divided by before it is stored (factor/scale.hpp).
+enum class ScaleRule { maximum, percentile, best_split };
 
 /// Everything that decides the two factor maps, given the samples and the white point.
 /// Defaults are those of the method preset `paper`.
 struct FactorSettings {
     Method method = Method::paper;
-    int map_size = 64;             ///< R: texels along the edge of one paraboloid face
-    double guard = 0.875;          ///< g: disc radius in units of half the map's edge, 0 < g <= 1
-    int samples = 200000;          ///< S: (v, n) pairs of the fit
-    int held_out = 20000;          ///< (v, n) pairs of the error figures, none of them in the fit
+    int map_size = 64;     ///< R: texels along the edge of one paraboloid face
+    double guard = 0.875;  ///< g: disc radius in units of half the map's edge, 0 < g <= 1
+    int samples = 200000;  ///< S: (v, n) pairs of the fit
+    int held_out = 20000;  ///< (v, n) pairs of the error figures, none of them in the fit
     Solver solver = Solver::qmr;
-    double tolerance = 1e-4;       ///< stop at |A^T r| <= tolerance |A^T b|
+    double tolerance = 1e-4;  ///< stop at |A^T r| <= tolerance |A^T b|
     int iteration_limit = 200;
-    double floor = 1e-3;           ///< epsilon: radiance is raised to floor * mean before the logarithm
-    double cap = 4.0;              ///< radiance is lowered to cap * white before the logarithm; 0 = off
-    double row_weight = 0.25;      ///< w: row i is weighted by (L_i / mean L)^w
-    double smoothness = 1.0;       ///< lambda of the Laplacian rows; 0 = off
-    double seam = 0.3;             ///< scale of the seam rows relative to the Laplacian rows; 0 = off
-    bool column_scaling = true;    ///< solve A D^-1 y with D_j the norm of column j
-    double fill_power = 2.0;       ///< p of the inverse-distance fill of texels that no sample touches
+    int stagnation_window = 60;       ///< iterations without progress that end the solve; 0 = off
+    bool keep_best = true;            ///< return the best iterate, not the last
+    bool remove_null_vectors = true;  ///< project the scale ambiguity out of the iteration
+    double floor = 1e-3;       ///< epsilon: radiance is raised to floor * mean before the logarithm
+    double cap = 4.0;          ///< radiance is lowered to cap * white before the logarithm; 0 = off
+    double row_weight = 0.25;  ///< w: row i is weighted by (L_i / mean L)^w
+    double smoothness = 1.0;   ///< lambda of the Laplacian rows; 0 = off
+    double seam = 0.3;         ///< scale of the seam rows relative to the Laplacian rows; 0 = off
+    bool column_scaling = true;  ///< solve A D^-1 y with D_j the norm of column j
+    double fill_power = 2.0;  ///< p of the inverse-distance fill of texels that no sample touches
+    int view_knots = 0;       ///< knots of the third factor g(n.v); 0 = none
+    double view_smoothness = 0.1;  ///< of the second differences of the knots; 0 = off
+    int terms = 1;                 ///< J: positive products that passes add up, each its own maps
+    int refinement = 0;            ///< steps of the fit to linearly filtered texels; 0 = none
+    double refinement_weight = 0.75;  ///< its row weights are (L_i / mean L)^this / L_i
+    ScaleRule scale = ScaleRule::maximum;
+    double scale_percentile = 99.9;  ///< of the rule `percentile`
+    bool shortcuts = false;          ///< diffuse materials and one Phong lobe in closed form
 };
+
+/// The names that scene files and reports use.
+const char* name_of(Method method);
+const char* name_of(Solver solver);
 
 /// The settings of a method preset, every field at its documented value.
 FactorSettings method_preset(Method method);

@@ -28,8 +28,10 @@ struct StopRule {
     double tolerance = 1e-12;   ///< on the relative residual; below 2^-50 it is taken as 2^-50
     int iteration_limit = 200;  ///< iterations at most
     double breakdown = 1e-12;   ///< t of the relative breakdown tests
-    int window = 60;            ///< iterations over which the best residual has to ...
-    double progress = 1e-2;     ///< ... fall by this share of itself, else `stagnation`
+    int window = 60;         ///< iterations over which the best residual has to (0 = no test) ...
+    double progress = 1e-2;  ///< ... fall by this share of itself, else `stagnation`
+    bool keep_best = true;   ///< else the last iterate is returned, whatever became of it, and
+                             ///< the tolerance is taken as it stands
 };
 
 /// What happened in a solve. Residuals are relative to the right side's norm: |b - A x| / |b| for

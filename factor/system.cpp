@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "factor/vector_arithmetic.hpp"
+#include "factor/view_table.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/fixed.hpp"
@@ -24,12 +25,31 @@ void put_footprint(std::span<MatrixEntry> row, const TexelFootprint& footprint,
     }
 }
 
-void add_sample_rows(RowBuilder& builder, std::span<const SurfaceView> at, const MapShape& shape) {
+void add_sample_rows(RowBuilder& builder, std::span<const SurfaceView> at, const MapShape& shape,
+                     int view_knots) {
+    const std::size_t entries = view_knots > 0 ? 10 : 8;
     for (const SurfaceView& pair : at) {
-        std::array<MatrixEntry, 8> row;
+        std::array<MatrixEntry, 10> row;
         put_footprint(std::span(row).first(4), footprint_of(pi_1(pair), shape), 0, 1.0);
-        put_footprint(std::span(row).last(4), footprint_of(pi_2(pair), shape), shape.texels(), 1.0);
-        builder.add(row);
+        put_footprint(std::span(row).subspan(4, 4), footprint_of(pi_2(pair), shape), shape.texels(),
+                      1.0);
+        if (view_knots > 0) {
+            const ViewFootprint view = view_footprint(dot(pair.n, pair.v), view_knots);
+            const auto first = static_cast<std::uint32_t>(2 * shape.texels());
+            for (std::size_t k = 0; k < 2; ++k)
+                row[8 + k] = {first + view.index[k], view.weight[k]};
+        }
+        builder.add(std::span(row).first(entries));
+    }
+}
+
+/// scale (x_k-1 - 2 x_k + x_k+1) = 0 for the inner knots of g.
+void add_view_rows(RowBuilder& builder, std::size_t first_column, int knots, double scale) {
+    for (int k = 1; scale > 0.0 && k + 1 < knots; ++k) {
+        const auto column =
+            static_cast<std::uint32_t>(first_column) + static_cast<std::uint32_t>(k);
+        builder.add(std::array<MatrixEntry, 3>{
+            {{column - 1, scale}, {column, -2.0 * scale}, {column + 1, scale}}});
     }
 }
 
@@ -104,18 +124,6 @@ std::size_t count_finite(std::span<const double> radiance) {
     return finite;
 }
 
-double mean_of(std::span<const double> values) {
-    const double sum = ordered_sum(values.size(), [&](std::size_t i) { return values[i]; });
-    return sum / static_cast<double>(values.size());
-}
-
-/// D (1; -1) of unit length.
-Vector gauge_direction(const Vector& column_scale) {
-    Vector gauge = column_scale;
-    for (std::size_t j = gauge.size() / 2; j < gauge.size(); ++j) gauge[j] = -gauge[j];
-    return divided(gauge, norm(gauge));
-}
-
 }  // namespace
 
 LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings) {
@@ -127,7 +135,7 @@ LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings
     const double seam_base =
         settings.smoothness > 0.0 ? scale : std::sqrt(static_cast<double>(at.size()) / texels);
     RowBuilder builder;
-    add_sample_rows(builder, at, shape);
+    add_sample_rows(builder, at, shape, settings.view_knots);
     add_rows_of_both_maps(shape, scale, [&](std::size_t j, std::size_t first, double k) {
         add_smoothness_row(builder, j, shape, first, k);
     });
@@ -135,7 +143,17 @@ LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings
                           [&](std::size_t j, std::size_t first, double k) {
                               add_seam_row(builder, j, shape, first, k);
                           });
-    return {builder.build(2 * shape.texels()), at.size(), shape};
+    const auto knots = static_cast<std::size_t>(settings.view_knots);
+    add_view_rows(builder, 2 * shape.texels(), settings.view_knots,
+                  settings.view_smoothness *
+                      std::sqrt(static_cast<double>(at.size()) / static_cast<double>(knots + 1)));
+    return {builder.build(2 * shape.texels() + knots), at.size(), shape, settings.view_knots};
+}
+
+FactorStarts LogRows::starts() const {
+    FactorStarts starts{0, shape.texels(), 2 * shape.texels()};
+    if (view_knots > 0) starts.push_back(2 * shape.texels() + static_cast<std::size_t>(view_knots));
+    return starts;
 }
 
 ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
@@ -163,25 +181,18 @@ ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
     return channel;
 }
 
-Vector balanced(Vector x) {
-    const std::size_t half = x.size() / 2;
-    const double first = mean_of(std::span(x).first(half));
-    const double second = mean_of(std::span(x).last(half));
-    const double shift = 0.5 * (first - second);
-    for (std::size_t j = 0; j < x.size(); ++j) x[j] += j < half ? -shift : shift;
-    return x;
-}
-
-WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right, bool column_scaling,
-                               int threads)
+WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right,
+                               const FactorSettings& settings, int threads)
     : left_(left),
       right_(right),
       threads_(threads),
+      gauge_(left.matrix, right.weight, left.starts()),
       column_scale_(left.matrix.column_norms(right.weight, threads)) {
     const double largest = largest_magnitude(column_scale_);
-    magnitude_ = column_scaling ? 1.0 : largest * largest;
-    for (double& scale : column_scale_) scale = column_scaling && scale > 0.0 ? scale : 1.0;
-    gauge_ = gauge_direction(column_scale_);
+    magnitude_ = settings.column_scaling ? 1.0 : largest * largest;
+    for (double& scale : column_scale_)
+        scale = settings.column_scaling && scale > 0.0 ? scale : 1.0;
+    if (settings.remove_null_vectors) null_vectors_ = gauge_.null_vectors(column_scale_);
 }
 
 Vector WeightedSystem::apply(const Vector& y) const {
@@ -193,8 +204,7 @@ Vector WeightedSystem::apply(const Vector& y) const {
 Vector WeightedSystem::apply_transpose(const Vector& r) const {
     Vector weighted(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) weighted[i] = right_.weight[i] * r[i];
-    const Vector product = unknowns(left_.matrix.multiply_transpose(weighted, threads_));
-    return plus_scaled(product, -dot(gauge_, product), gauge_);
+    return without(unknowns(left_.matrix.multiply_transpose(weighted, threads_)), null_vectors_);
 }
 
 Vector WeightedSystem::right_side() const {
@@ -217,14 +227,11 @@ Vector WeightedSystem::unknowns(const Vector& y) const {
     return x;
 }
 
-RectangularOperator WeightedSystem::least_squares() const {
-    return {[this](const Vector& y) { return apply(y); },
-            [this](const Vector& r) { return apply_transpose(r); }};
-}
-
-SquareOperator WeightedSystem::normal_equations() const {
-    const auto product = [this](const Vector& y) { return apply_transpose(apply(y)); };
-    return {product, product, magnitude_, true};
+LeastSquaresProblem WeightedSystem::problem() const {
+    return {{[this](const Vector& y) { return apply(y); },
+             [this](const Vector& r) { return apply_transpose(r); }},
+            right_side(),
+            magnitude_};
 }
 
 }  // namespace twofold

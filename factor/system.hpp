@@ -2,30 +2,36 @@
 #include <cstddef>
 #include <span>
 
+#include "factor/gauge.hpp"
 #include "factor/parametrization.hpp"
 #include "factor/samples.hpp"
 #include "factor/settings.hpp"
-#include "factor/solver.hpp"
+#include "factor/solve.hpp"
 #include "factor/sparse_matrix.hpp"
 
 /// The linear system of the logarithms, [A1 A2] (log t1; log t2) = log L. The unknowns are the
-/// texels of map 1, then those of map 2. The left side depends on the directions alone and serves
-/// the three channels; each channel has its own right side and row weights.
+/// texels of map 1, those of map 2, then the knots of g(n.v) where there is one. The left side
+/// depends on the directions alone and serves the three channels; each channel has its own right
+/// side and row weights.
 /// @source seed paper, equation 7 (its equation 6 prints a product where the logarithm gives a sum)
 namespace twofold {
 
-/// The left side. Rows: one a sample (four weights at pi_1, four at pi_2), then the smoothness rows
-/// of both maps, then their seam rows.
+/// The left side. Rows: one a sample (four weights at pi_1, four at pi_2, two at n.v if there are
+/// knots), then the smoothness rows of both maps, their seam rows and those of the knots.
 struct LogRows {
     SparseMatrix matrix;
     std::size_t samples;  ///< S, the number of sample rows
     MapShape shape;
+    int view_knots = 0;  ///< of g(n.v)
+
+    FactorStarts starts() const;  ///< of the two maps and the knots
 };
 
 /// Builds the left side. With k = smoothness sqrt(S / 2R^2) the row of texel j says k (x_j - mean
 /// of its neighbours, 2 to 4 in its face) = 0; with seam k in place of k the row of a texel beyond
-/// the rim says that it equals the other face's filtered value in its direction.
-/// @param settings map_size, guard, smoothness and seam are used
+/// the rim says that it equals the other face's filtered value in its direction. Second differences
+/// of g's knots are 0 with view_smoothness sqrt(S / knots).
+/// @param settings map_size, guard, smoothness, seam, view_knots and view_smoothness are used
 LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings);
 
 /// What became of a channel's samples; each sample is counted once, under the first that applies.
@@ -55,17 +61,15 @@ struct ChannelRows {
 ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
                          const FactorSettings& settings, double white);
 
-/// Takes the mean of map 1 and of map 2 to the same value without changing their sum at any sample:
-/// the gauge of the factors, t1 c and t2 / c being the same product.
-Vector balanced(Vector x);
-
 /// The weighted system of a channel, B = diag(weight) A D^-1 with D_j the norm of column j of the
 /// weighted matrix (1 without column scaling and for empty columns), in unknowns D x. What the
-/// gauge direction D (1; -1) would collect of rounding is projected out of every product with B^T.
-/// Refers to the two it is made of.
+/// gauge's null vectors, D (1; -1) and its like, would collect of rounding is projected out of
+/// every product with B^T. Refers to the two it is made of.
 class WeightedSystem {
   public:
-    WeightedSystem(const LogRows& left, const ChannelRows& right, bool column_scaling, int threads);
+    /// @param settings column_scaling and remove_null_vectors are used
+    WeightedSystem(const LogRows& left, const ChannelRows& right, const FactorSettings& settings,
+                   int threads);
 
     Vector apply(const Vector& y) const;            ///< B y
     Vector apply_transpose(const Vector& r) const;  ///< B^T r
@@ -73,16 +77,18 @@ class WeightedSystem {
     Vector scaled_unknowns(const Vector& x) const;  ///< D x
     Vector unknowns(const Vector& y) const;         ///< D^-1 y
 
-    RectangularOperator least_squares() const;  ///< B, for LSMR
-    SquareOperator normal_equations() const;    ///< B^T B, for QMR
+    const Gauge& gauge() const { return gauge_; }
+
+    LeastSquaresProblem problem() const;  ///< min |B y - diag(weight) b|
 
   private:
     const LogRows& left_;
     const ChannelRows& right_;
     int threads_;
-    Vector column_scale_;  ///< D
-    Vector gauge_;         ///< D (1; -1), of unit length
-    double magnitude_;     ///< largest diagonal entry of B^T B
+    Gauge gauge_;
+    Vector column_scale_;                     ///< D
+    std::vector<SparseVector> null_vectors_;  ///< what is projected out
+    double magnitude_;                        ///< largest diagonal entry of B^T B
 };
 
 }  // namespace twofold

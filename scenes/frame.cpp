@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <glm/matrix.hpp>
+#include <optional>
+#include <span>
+#include <utility>
 
+#include "factor/view_table.hpp"
 #include "scenes/camera.hpp"
 #include "scenes/historical.hpp"
 #include "scenes/scene_names.hpp"
@@ -69,11 +73,11 @@ PassState object_state(const FrameBuilder& b, const FactoredObject& object) {
     return state;
 }
 
-/// Adds the four images of a material's factors; the result is the index of t1's front, followed by
-/// t1's back, t2's front and t2's back.
-std::size_t add_factor_textures(Frame& frame, const FactoredLighting& lighting, bool as_float) {
+/// Adds the four images of a product; the result is the index of t1's front, followed by t1's back,
+/// t2's front and t2's back.
+std::size_t add_factor_textures(Frame& frame, const ProductTerm& term, bool as_float) {
     const std::size_t first = frame.textures.size();
-    for (const FactorMap* map : {&lighting.t1, &lighting.t2})
+    for (const FactorMap* map : {&term.t1, &term.t2})
         for (std::size_t face = 0; face < 2; ++face)
             frame.textures.push_back(as_float ? map->real[face] : map->bytes[face]);
     return first;
@@ -90,23 +94,71 @@ TextureUnitState factor_unit(const FrameBuilder& b, TexGen texgen, std::size_t t
     return unit;
 }
 
+/// Adds the object's mesh once more, its vertex colours those of the term times g(n.v) at each
+/// vertex, as a driver of the time would compute them.
+std::size_t add_viewed_mesh(FrameBuilder& b, const FactoredObject& object,
+                            const ProductTerm& term) {
+    Mesh mesh = b.frame.meshes[b.meshes.at(object.mesh)];
+    const Mat4 model = model_matrix(object);
+    mesh.colors.clear();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3 to_eye = b.scene.camera.eye - Vec3{model * Vec4{mesh.positions[i], 1.0}};
+        const Vec3 normal = Mat3{model} * mesh.normals[i];
+        const double lengths = length(normal) * length(to_eye);
+        const double cosine = lengths > 0.0 ? dot(normal, to_eye) / lengths : 0.0;
+        mesh.colors.emplace_back(term.scale_color * view_value(std::span(term.view), cosine), 1.0);
+    }
+    b.frame.meshes.push_back(std::move(mesh));
+    return b.frame.meshes.size() - 1;
+}
+
+/// Where a term's images and mesh went in the frame.
+struct PlacedTerm {
+    const ProductTerm& term;
+    std::size_t textures;
+    std::size_t mesh;
+};
+
+PlacedTerm place(FrameBuilder& b, const FactoredObject& object, const ProductTerm& term,
+                 std::size_t textures) {
+    return {term, textures,
+            term.view.empty() ? b.meshes.at(object.mesh) : add_viewed_mesh(b, object, term)};
+}
+
+/// One pass: one face of each map.
+PassState term_state(const FrameBuilder& b, const FactoredObject& object, const PlacedTerm& placed,
+                     std::size_t i, std::size_t j) {
+    constexpr std::array faces{Face::front, Face::back};
+    PassState state = object_state(b, object);
+    state.color = Vec4{placed.term.scale_color, 1.0};
+    state.alpha_test = AlphaTest{CompareFunc::gequal, 1.0};
+    state.units[0] = factor_unit(b, TexGen::normal_map, placed.textures + i, faces[i]);
+    if (!placed.term.constant_t2)
+        state.units[1] = factor_unit(b, TexGen::reflection_map, placed.textures + 2 + j, faces[j]);
+    std::optional<TextureUnitState>& last = state.units[placed.term.constant_t2 ? 0 : 1];
+    last->env.rgb_scale = placed.term.combiner_scale;
+    return state;
+}
+
 /// The four passes of the paper: every pixel's n and r_v lie on one face each; the alpha test keeps
 /// the pass that has both. Its reference is 1: a footprint wholly inside the opaque disc, which
 /// reaches past the rim, gives exactly 1 in every preset, so no pixel is lost at the seam and every
-/// pixel drawn has alpha 1.
-void add_four_passes(FrameBuilder& b, const FactoredObject& object,
-                     const FactoredLighting& lighting, std::size_t textures) {
-    PassState state = object_state(b, object);
-    state.color = Vec4{lighting.scale_color, 1.0};
-    state.alpha_test = AlphaTest{CompareFunc::gequal, 1.0};
-    constexpr std::array faces{Face::front, Face::back};
+/// pixel drawn has alpha 1. Further products are added right after the first of the same faces:
+/// where two passes overlap at the seam, the later one begins the sum anew. A t2 that is 1
+/// everywhere needs no faces.
+void add_term_passes(FrameBuilder& b, const FactoredObject& object,
+                     const std::vector<PlacedTerm>& placed) {
+    const std::size_t t2_faces = placed[0].term.constant_t2 ? 1 : 2;
     for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t j = 0; j < 2; ++j) {
-            state.units[0] = factor_unit(b, TexGen::normal_map, textures + i, faces[i]);
-            state.units[1] = factor_unit(b, TexGen::reflection_map, textures + 2 + j, faces[j]);
-            state.units[1]->env.rgb_scale = lighting.combiner_scale;
-            b.frame.passes.push_back({state, b.meshes.at(object.mesh)});
-        }
+        for (std::size_t j = 0; j < t2_faces; ++j)
+            for (std::size_t k = 0; k < placed.size(); ++k) {
+                PassState state = term_state(b, object, placed[k], i, j);
+                if (k > 0) {
+                    state.depth_test = DepthTest{CompareFunc::equal, false};
+                    state.blend = Blend{BlendFactor::one, BlendFactor::one};
+                }
+                b.frame.passes.push_back({state, placed[k].mesh});
+            }
 }
 
 /// Doubles what the object shows: C = 1 x Cd + Cd, where the scale exceeds what the combiner can
@@ -149,15 +201,19 @@ bool samples_float_textures(Preset preset) {
 Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMaterials& materials,
                  Preset preset) {
     FrameBuilder b = start(scene, assets);
-    std::map<std::string, std::size_t> factor_textures;
+    std::map<std::string, std::vector<std::size_t>> factor_textures;
     for (const FactoredObject& object : scene.objects) {
         const FactoredLighting& lighting = lighting_of(materials, object.material);
         require_size(scene, "factorization.map_size", preset, TextureTarget::texture_2d,
-                     lighting.t1.bytes[0]);
-        if (!factor_textures.contains(object.material))
-            factor_textures[object.material] =
-                add_factor_textures(b.frame, lighting, samples_float_textures(preset));
-        add_four_passes(b, object, lighting, factor_textures[object.material]);
+                     lighting.terms.at(0).t1.bytes[0]);
+        std::vector<std::size_t>& textures = factor_textures[object.material];
+        for (std::size_t k = textures.size(); k < lighting.terms.size(); ++k)
+            textures.push_back(
+                add_factor_textures(b.frame, lighting.terms[k], samples_float_textures(preset)));
+        std::vector<PlacedTerm> placed;
+        for (std::size_t k = 0; k < lighting.terms.size(); ++k)
+            placed.push_back(place(b, object, lighting.terms[k], textures[k]));
+        add_term_passes(b, object, placed);
         for (int i = 0; i < lighting.doubling_passes; ++i) add_doubling_pass(b, object);
     }
     for (const HistoricalObject& object : scene.historical)

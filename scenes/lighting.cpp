@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "factor/closed_form.hpp"
 #include "factor/directions.hpp"
 #include "factor/lighting.hpp"
 #include "scenes/measured_file.hpp"
@@ -96,6 +97,17 @@ std::vector<std::string> sampling_warnings(const Brdf& brdf, int map_size) {
         lobe, map_size, map_size, texel)};
 }
 
+/// The material's factors: in closed form where the settings want that and there is one.
+FactoredLighting factored(const Brdf& brdf, const LitScene& lit, const MaterialSamples& samples,
+                          const FactorSettings& settings, int threads) {
+    if (settings.shortcuts) {
+        if (auto known = closed_form(brdf, lit.lights.lights, samples.held_out, settings, lit.white,
+                                     threads))
+            return *std::move(known);
+    }
+    return factorize(samples.fit, samples.held_out, settings, lit.white, threads);
+}
+
 }  // namespace
 
 SceneLights make_lights(const Scene& scene) {
@@ -144,7 +156,7 @@ LitScene light_scene(const Scene& scene, int threads, const StepListener& listen
     lit.white = white_radiance(scene.white, samples);
     for (const auto& [name, s] : samples) {
         listen("factor " + name);
-        FactoredLighting lighting = factorize(s.fit, s.held_out, settings, lit.white, threads);
+        FactoredLighting lighting = factored(lit.brdfs.at(name), lit, s, settings, threads);
         for (std::string& w : sampling_warnings(lit.brdfs.at(name), settings.map_size))
             lighting.warnings.push_back(std::move(w));
         lit.materials.emplace(name, std::move(lighting));

@@ -7,10 +7,16 @@
 /// The names of enumerators in scene files: one table for the reader and the writer.
 namespace twofold::scene_io {
 
-inline constexpr std::array method_names{Named{"letter", Method::letter},
-                                         Named{"paper", Method::paper}};
+inline constexpr std::array method_names{
+    Named{"letter", Method::letter}, Named{"paper", Method::paper}, Named{"best", Method::best}};
 
-inline constexpr std::array solver_names{Named{"qmr", Solver::qmr}, Named{"lsmr", Solver::lsmr}};
+inline constexpr std::array solver_names{Named{"qmr", Solver::qmr}, Named{"lsmr", Solver::lsmr},
+                                         Named{"cgls", Solver::cgls},
+                                         Named{"qmr_augmented", Solver::qmr_augmented}};
+
+inline constexpr std::array scale_rule_names{Named{"maximum", ScaleRule::maximum},
+                                             Named{"percentile", ScaleRule::percentile},
+                                             Named{"best_split", ScaleRule::best_split}};
 
 inline constexpr std::array constant_names{Named{"pi1981", CookTorranceConstant::pi1981},
                                            Named{"modern4", CookTorranceConstant::modern4}};

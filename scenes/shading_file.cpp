@@ -117,6 +117,13 @@ MeasuredBrdf read_measured(const JsonValue& value, MeasuredFormat format) {
             nullptr};
 }
 
+/// A table has at least two knots.
+int read_view_knots(const JsonObject& fields, int absent) {
+    const int knots = fields.integer("view_knots", 0, 256, absent);
+    if (knots == 1) fields.at("view_knots").fail("1 is neither 0 nor in 2..256");
+    return knots;
+}
+
 }  // namespace
 
 EnvironmentSpec read_environment(const JsonValue& value) {
@@ -185,10 +192,35 @@ Brdf read_material(const JsonValue& value) {
     fields.value().fail("has no model");
 }
 
+const std::initializer_list<std::string_view> factorization_fields{"method",
+                                                                       "map_size",
+                                                                       "guard",
+                                                                       "samples",
+                                                                       "held_out",
+                                                                       "solver",
+                                                                       "tolerance",
+                                                                       "iteration_limit",
+                                                                       "stagnation_window",
+                                                                       "keep_best",
+                                                                       "remove_null_vectors",
+                                                                       "floor",
+                                                                       "cap",
+                                                                       "row_weight",
+                                                                       "smoothness",
+                                                                       "seam",
+                                                                       "column_scaling",
+                                                                       "fill_power",
+                                                                       "view_knots",
+                                                                       "view_smoothness",
+                                                                       "terms",
+                                                                       "refinement",
+                                                                       "refinement_weight",
+                                                                       "scale",
+                                                                       "scale_percentile",
+                                                                       "shortcuts"};
+
 FactorSettings read_factorization(const JsonValue& value) {
-    const JsonObject fields(value, {"method", "map_size", "guard", "samples", "held_out", "solver",
-                                    "tolerance", "iteration_limit", "floor", "cap", "row_weight",
-                                    "smoothness", "seam", "column_scaling", "fill_power"});
+    const JsonObject fields(value, factorization_fields);
     // The method first: it gives the values of all that the file does not say.
     const Method method = fields.enumerator("method", method_names, FactorSettings{}.method);
     const FactorSettings absent = method_preset(method);
@@ -203,13 +235,28 @@ FactorSettings read_factorization(const JsonValue& value) {
         .solver = fields.enumerator("solver", solver_names, absent.solver),
         .tolerance = fields.number("tolerance", unit_interval, absent.tolerance),
         .iteration_limit = fields.integer("iteration_limit", 0, 100'000, absent.iteration_limit),
+        .stagnation_window =
+            fields.integer("stagnation_window", 0, 100'000, absent.stagnation_window),
+        .keep_best = fields.boolean("keep_best", absent.keep_best),
+        .remove_null_vectors = fields.boolean("remove_null_vectors", absent.remove_null_vectors),
         .floor = fields.number("floor", positive, absent.floor),
         .cap = fields.number("cap", factor, absent.cap),
         .row_weight = fields.number("row_weight", {.low = 0.0, .high = 2.0}, absent.row_weight),
         .smoothness = fields.number("smoothness", factor, absent.smoothness),
         .seam = fields.number("seam", factor, absent.seam),
         .column_scaling = fields.boolean("column_scaling", absent.column_scaling),
-        .fill_power = fields.number("fill_power", {.low = 0.0, .high = 16.0}, absent.fill_power)};
+        .fill_power = fields.number("fill_power", {.low = 0.0, .high = 16.0}, absent.fill_power),
+        .view_knots = read_view_knots(fields, absent.view_knots),
+        .view_smoothness = fields.number("view_smoothness", factor, absent.view_smoothness),
+        .terms = fields.integer("terms", 1, 4, absent.terms),
+        .refinement = fields.integer("refinement", 0, 100, absent.refinement),
+        .refinement_weight =
+            fields.number("refinement_weight", {.low = 0.0, .high = 2.0}, absent.refinement_weight),
+        .scale = fields.enumerator("scale", scale_rule_names, absent.scale),
+        .scale_percentile =
+            fields.number("scale_percentile", {.low = 0.0, .high = 100.0, .low_excluded = true},
+                          absent.scale_percentile),
+        .shortcuts = fields.boolean("shortcuts", absent.shortcuts)};
 }
 
 }  // namespace twofold::scene_io

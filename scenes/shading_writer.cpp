@@ -64,13 +64,24 @@ Json json_of(const FactorSettings& settings) {
             {"solver", name_in(solver_names, settings.solver)},
             {"tolerance", settings.tolerance},
             {"iteration_limit", settings.iteration_limit},
+            {"stagnation_window", settings.stagnation_window},
+            {"keep_best", settings.keep_best},
+            {"remove_null_vectors", settings.remove_null_vectors},
             {"floor", settings.floor},
             {"cap", settings.cap},
             {"row_weight", settings.row_weight},
             {"smoothness", settings.smoothness},
             {"seam", settings.seam},
             {"column_scaling", settings.column_scaling},
-            {"fill_power", settings.fill_power}};
+            {"fill_power", settings.fill_power},
+            {"view_knots", settings.view_knots},
+            {"view_smoothness", settings.view_smoothness},
+            {"terms", settings.terms},
+            {"refinement", settings.refinement},
+            {"refinement_weight", settings.refinement_weight},
+            {"scale", name_in(scale_rule_names, settings.scale)},
+            {"scale_percentile", settings.scale_percentile},
+            {"shortcuts", settings.shortcuts}};
 }
 
 Json json_of(const BeckmannLobe& lobe) { return {{"m", lobe.m}, {"weight", lobe.weight}}; }

@@ -19,10 +19,10 @@ Json treated_json(const TreatedSamples& t) {
 
 Json channel_json(std::size_t channel, const FactoredLighting& lighting) {
     const ChannelFit& fit = lighting.fit[channel];
-    const bool black = lighting.c[static_cast<int>(channel)] == 0.0;
-    const ByteLoss &t1 = lighting.t1.loss[channel], &t2 = lighting.t2.loss[channel];
+    const ProductTerm& term = lighting.terms[0];
+    const ByteLoss &t1 = term.t1.loss[channel], &t2 = term.t2.loss[channel];
     return {{"channel", channel_name(channel)},
-            {"status", black ? "black" : name_of(fit.solver.status)},
+            {"status", status_text(lighting, channel)},
             {"iterations", fit.solver.iterations},
             {"best_iteration", fit.solver.best_iteration},
             {"relative_residual", fit.solver.relative_residual},
@@ -33,24 +33,34 @@ Json channel_json(std::size_t channel, const FactoredLighting& lighting) {
             {"p95", fit.p95},
             {"samples", treated_json(fit.counts)},
             {"untouched_share", fit.untouched_share},
+            {"components", fit.components},
             {"levels", {{"t1", t1.levels}, {"t2", t2.levels}}},
             {"zero_share", {{"t1", t1.zero_share}, {"t2", t2.zero_share}}},
+            {"clipped_share", {{"t1", t1.clipped_share}, {"t2", t2.clipped_share}}},
             {"history", fit.solver.history}};
 }
 
+Json term_json(const ProductTerm& term) {
+    Json view = Json::array();
+    for (const Rgb& value : term.view) view.push_back(rgb_json(value));
+    return {
+        {"scale", {{"color", rgb_json(term.scale_color)}, {"combiner_scale", term.combiner_scale}}},
+        {"max1", rgb_json(term.max1)},
+        {"max2", rgb_json(term.max2)},
+        {"c", rgb_json(term.c)},
+        {"view", view},
+        {"hash_t1", hash_of(term.t1)},
+        {"hash_t2", hash_of(term.t2)}};
+}
+
 Json lighting_json(const FactoredLighting& lighting) {
-    Json channels = Json::array();
+    Json channels = Json::array(), terms = Json::array();
     for (std::size_t c = 0; c < 3; ++c) channels.push_back(channel_json(c, lighting));
-    return {{"map_size", lighting.t1.shape.size},
-            {"scale",
-             {{"color", rgb_json(lighting.scale_color)},
-              {"combiner_scale", lighting.combiner_scale},
-              {"doubling_passes", lighting.doubling_passes}}},
-            {"max1", rgb_json(lighting.max1)},
-            {"max2", rgb_json(lighting.max2)},
-            {"c", rgb_json(lighting.c)},
-            {"hash_t1", hash_of(lighting.t1)},
-            {"hash_t2", hash_of(lighting.t2)},
+    for (const ProductTerm& term : lighting.terms) terms.push_back(term_json(term));
+    return {{"map_size", lighting.terms[0].t1.shape.size},
+            {"closed_form", lighting.closed_form},
+            {"doubling_passes", lighting.doubling_passes},
+            {"terms", terms},
             {"warnings", lighting.warnings},
             {"channels", channels}};
 }
@@ -113,6 +123,16 @@ Json pictures_json(const RunResult& run, bool with_counters) {
 
 }  // namespace
 
+std::string status_text(const FactoredLighting& lighting, std::size_t channel) {
+    if (lighting.terms[0].c[static_cast<int>(channel)] == 0.0) return "black";
+    if (!lighting.closed_form.empty()) return "closed form: " + lighting.closed_form;
+    return name_of(lighting.fit[channel].solver.status);
+}
+
+std::string map_name(const std::string& factor, std::size_t term) {
+    return term == 0 ? factor : factor + "-" + std::to_string(term + 1);
+}
+
 std::string program_version() { return TWOFOLD_VERSION; }
 
 Json to_json(const PictureDifference& d) {
@@ -167,8 +187,8 @@ Json factors_json(const Scene& scene, const LitScene& lit) {
     const FactorSettings& settings = scene.factorization;
     return {{"title", scene.title},
             {"version", program_version()},
-            {"method", settings.method == Method::paper ? "paper" : "letter"},
-            {"solver", settings.solver == Solver::qmr ? "qmr" : "lsmr"},
+            {"method", name_of(settings.method)},
+            {"solver", name_of(settings.solver)},
             {"fit_samples", settings.samples},
             {"held_out_samples", settings.held_out},
             {"white", lit.white},
@@ -199,7 +219,10 @@ std::string manifest_json(const RunResult& run) {
     Json manifest = Json::parse(scene_to_json(run.scene));
     Json factors = Json::object();
     for (const auto& [name, lighting] : run.lit.materials)
-        factors[name] = {{"t1", hash_of(lighting.t1)}, {"t2", hash_of(lighting.t2)}};
+        for (std::size_t k = 0; k < lighting.terms.size(); ++k) {
+            factors[name][map_name("t1", k)] = hash_of(lighting.terms[k].t1);
+            factors[name][map_name("t2", k)] = hash_of(lighting.terms[k].t2);
+        }
     manifest["results"] = {{"version", program_version()},
                            {"white", run.lit.white},
                            {"factors", factors},

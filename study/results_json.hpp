@@ -22,6 +22,12 @@ nlohmann::ordered_json to_json(const PictureDifference& difference);
 nlohmann::ordered_json to_json(const FloatDifference& difference);
 nlohmann::ordered_json to_json(const DrawCounters& counters);
 
+/// How a channel was found: "black", the closed form's name, or how the solver ended.
+std::string status_text(const FactoredLighting& lighting, std::size_t channel);
+
+/// "t1" for the first product, "t1-2" for the second.
+std::string map_name(const std::string& factor, std::size_t term);
+
 /// Version of the program, such as "0.1.0".
 std::string program_version();
 

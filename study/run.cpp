@@ -97,7 +97,7 @@ void compare_all(RunResult& run, std::map<std::string, std::vector<bool>> outlin
 void note_black_channels(RunResult& run) {
     for (const auto& [name, lighting] : run.lit.materials)
         for (std::size_t c = 0; c < 3; ++c)
-            if (lighting.c[static_cast<int>(c)] == 0.0)
+            if (lighting.terms[0].c[static_cast<int>(c)] == 0.0)
                 run.notes.push_back(fmt::format(
                     "{}: {} is black everywhere: factors 0, scale 0, no logarithm taken", name,
                     channel_name(c)));

@@ -39,9 +39,10 @@ ReportComparison report_comparison(const RunResult& run, const RunComparison& c)
     return {c.picture, c.reference, c.difference, encode_png(heat), full_scale};
 }
 
-ReportChannelFit report_fit(const ChannelFit& fit, double c) {
+ReportChannelFit report_fit(const FactoredLighting& lighting, std::size_t channel) {
+    const ChannelFit& fit = lighting.fit[channel];
     const TreatedSamples& t = fit.counts;
-    return {c == 0.0 ? "black" : name_of(fit.solver.status),
+    return {status_text(lighting, channel),
             fit.solver.iterations,
             fit.solver.relative_residual,
             fit.solver.history,
@@ -49,7 +50,7 @@ ReportChannelFit report_fit(const ChannelFit& fit, double c) {
             fit.log_rms,
             fit.median,
             fit.p95,
-            c,
+            lighting.terms[0].c[static_cast<int>(channel)],
             {{"used", t.used},
              {"not finite, left out", t.non_finite},
              {"negative, raised to the floor", t.negative},
@@ -70,21 +71,24 @@ std::string brdf_name(const Brdf& brdf) {
 
 ReportMaterial report_material(const RunResult& run, const std::string& name,
                                const FactoredLighting& lighting) {
-    const Rgb& s = lighting.scale_color;
+    const ProductTerm& first = lighting.terms[0];
+    const Rgb& s = first.scale_color;
     ReportMaterial m{name,
                      brdf_name(run.scene.materials.at(name)),
-                     lighting.t1.shape.size,
-                     lighting.combiner_scale,
+                     first.t1.shape.size,
+                     first.combiner_scale,
                      lighting.doubling_passes,
                      {s.x, s.y, s.z},
                      {},
                      {}};
-    for (std::size_t c = 0; c < 3; ++c)
-        m.channels[c] = report_fit(lighting.fit[c], lighting.c[static_cast<int>(c)]);
-    for (const auto& [label, map] : {std::pair{"t1", &lighting.t1}, std::pair{"t2", &lighting.t2}})
-        for (std::size_t face = 0; face < 2; ++face)
-            m.maps.push_back({fmt::format("{} {}", label, face_names[face]),
-                              encode_png(byte_image(map->bytes[face])), hash_of(map->bytes[face])});
+    for (std::size_t c = 0; c < 3; ++c) m.channels[c] = report_fit(lighting, c);
+    for (std::size_t k = 0; k < lighting.terms.size(); ++k)
+        for (const auto& [label, map] :
+             {std::pair{"t1", &lighting.terms[k].t1}, std::pair{"t2", &lighting.terms[k].t2}})
+            for (std::size_t face = 0; face < 2; ++face)
+                m.maps.push_back({fmt::format("{} {}", map_name(label, k), face_names[face]),
+                                  encode_png(byte_image(map->bytes[face])),
+                                  hash_of(map->bytes[face])});
     return m;
 }
 
@@ -115,11 +119,9 @@ std::vector<std::pair<std::string, std::string>> provenance(const RunResult& run
         {"program", "twofold " + program_version()}};
     const FactorSettings& s = run.scene.factorization;
     if (!run.scene.objects.empty())
-        rows.emplace_back(
-            "factorisation",
-            fmt::format("method {}, solver {}, {} samples, {} held out",
-                        s.method == Method::paper ? "paper" : "letter",
-                        s.solver == Solver::qmr ? "qmr" : "lsmr", s.samples, s.held_out));
+        rows.emplace_back("factorisation",
+                          fmt::format("method {}, solver {}, {} samples, {} held out",
+                                      name_of(s.method), name_of(s.solver), s.samples, s.held_out));
     return rows;
 }
 
@@ -166,8 +168,10 @@ OutputFolder::~OutputFolder() {
 
 void write_factors(const Scene& scene, const LitScene& lit, const std::filesystem::path& folder) {
     for (const auto& [name, lighting] : lit.materials) {
-        write_factor_map(lighting.t1, name + "-t1", folder);
-        write_factor_map(lighting.t2, name + "-t2", folder);
+        for (std::size_t k = 0; k < lighting.terms.size(); ++k) {
+            write_factor_map(lighting.terms[k].t1, name + "-" + map_name("t1", k), folder);
+            write_factor_map(lighting.terms[k].t2, name + "-" + map_name("t2", k), folder);
+        }
     }
     write_file_atomically(folder / "factors.json", factors_json(scene, lit).dump(2) + "\n");
 }

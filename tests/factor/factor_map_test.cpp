@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "factor/scale.hpp"
 #include "texunit/error.hpp"
 
 using namespace twofold;

@@ -42,9 +42,11 @@ std::vector<Rgba8> bytes_of(const FactorMap& map) {
 /// The product as drawn, before clamping, in units of radiance.
 double drawn(const FactoredLighting& result, const SurfaceView& at, std::size_t channel) {
     const auto i = static_cast<int>(channel);
-    return result.max1[i] * result.max2[i] *
-           filtered(texels_of(result.t1, channel), footprint_of(pi_1(at), result.t1.shape)) *
-           filtered(texels_of(result.t2, channel), footprint_of(pi_2(at), result.t2.shape));
+    return result.terms[0].max1[i] * result.terms[0].max2[i] *
+           filtered(texels_of(result.terms[0].t1, channel),
+                    footprint_of(pi_1(at), result.terms[0].t1.shape)) *
+           filtered(texels_of(result.terms[0].t2, channel),
+                    footprint_of(pi_2(at), result.terms[0].t2.shape));
 }
 
 /// 99th percentile of a channel of samples.
@@ -56,13 +58,14 @@ double white_of(const LightingSamples& samples) {
 
 /// PSNR in dB of the red product against the samples, linear, both clipped at white.
 double psnr(const FactoredLighting& result, const LightingSamples& samples) {
-    const std::vector<double> t1 = texels_of(result.t1, 0);
-    const std::vector<double> t2 = texels_of(result.t2, 0);
-    const double scale = result.max1.x * result.max2.x;
+    const std::vector<double> t1 = texels_of(result.terms[0].t1, 0);
+    const std::vector<double> t2 = texels_of(result.terms[0].t2, 0);
+    const double scale = result.terms[0].max1.x * result.terms[0].max2.x;
     double sum = 0.0;
     for (std::size_t i = 0; i < samples.at.size(); ++i) {
-        const double p = scale * filtered(t1, footprint_of(pi_1(samples.at[i]), result.t1.shape)) *
-                         filtered(t2, footprint_of(pi_2(samples.at[i]), result.t2.shape));
+        const double p = scale *
+                         filtered(t1, footprint_of(pi_1(samples.at[i]), result.terms[0].t1.shape)) *
+                         filtered(t2, footprint_of(pi_2(samples.at[i]), result.terms[0].t2.shape));
         const double difference =
             std::min(p / result.white, 1.0) - std::min(samples.radiance[i].x / result.white, 1.0);
         sum += difference * difference;
@@ -116,7 +119,7 @@ TEST_CASE("a diffuse material leaves the second factor constant") {
     const FactoredLighting result =
         factorize(cases::samples_of_function(30000, 1, radiance),
                   cases::samples_of_function(5000, 2, radiance), map_of(16), 1.0, 2);
-    for (const double texel : texels_of(result.t2, 0)) REQUIRE(texel > 0.99);
+    for (const double texel : texels_of(result.terms[0].t2, 0)) REQUIRE(texel > 0.99);
     CHECK(result.fit[0].relative_rms < 0.005);
     CHECK(result.fit[0].log_rms < 0.005);
     CHECK(result.fit[0].median < 0.004);
@@ -132,19 +135,23 @@ TEST_CASE("four times the light moves each logarithm by ln 2") {
     const FactoredLighting four_times = factorize(fit, {}, settings, 4.0, 2);
     // The stop rule is relative to a right side that has changed, so the iterations may end apart
     // by what the tolerance allows.
-    CHECK(std::log(four_times.max1.x / once.max1.x) == Approx(std::log(2.0)).margin(0.02));
-    CHECK(std::log(four_times.max2.x / once.max2.x) == Approx(std::log(2.0)).margin(0.02));
-    CHECK(four_times.c.x == Approx(once.c.x).epsilon(0.01));
+    CHECK(std::log(four_times.terms[0].max1.x / once.terms[0].max1.x) ==
+          Approx(std::log(2.0)).margin(0.02));
+    CHECK(std::log(four_times.terms[0].max2.x / once.terms[0].max2.x) ==
+          Approx(std::log(2.0)).margin(0.02));
+    CHECK(four_times.terms[0].c.x == Approx(once.terms[0].c.x).epsilon(0.01));
 
     settings.tolerance = 1e-12;
     settings.iteration_limit = 1000;
     const FactoredLighting exact_four = factorize(fit, {}, settings, 4.0, 2);
     for (Rgb& rgb : fit.radiance) rgb /= 4.0;
     const FactoredLighting exact_once = factorize(fit, {}, settings, 1.0, 2);
-    CHECK(std::log(exact_four.max1.x / exact_once.max1.x) == Approx(std::log(2.0)).margin(1e-9));
-    CHECK(std::log(exact_four.max2.x / exact_once.max2.x) == Approx(std::log(2.0)).margin(1e-9));
-    CHECK(bytes_of(exact_four.t1) == bytes_of(exact_once.t1));
-    CHECK(bytes_of(exact_four.t2) == bytes_of(exact_once.t2));
+    CHECK(std::log(exact_four.terms[0].max1.x / exact_once.terms[0].max1.x) ==
+          Approx(std::log(2.0)).margin(1e-9));
+    CHECK(std::log(exact_four.terms[0].max2.x / exact_once.terms[0].max2.x) ==
+          Approx(std::log(2.0)).margin(1e-9));
+    CHECK(bytes_of(exact_four.terms[0].t1) == bytes_of(exact_once.terms[0].t1));
+    CHECK(bytes_of(exact_four.terms[0].t2) == bytes_of(exact_once.terms[0].t2));
 }
 
 TEST_CASE("the factors have the same bits at 1, 2 and 7 threads") {
@@ -152,13 +159,13 @@ TEST_CASE("the factors have the same bits at 1, 2 and 7 threads") {
     for (const int threads : {2, 7}) {
         const FactoredLighting many = factored_phong(map_of(16), 20000, threads);
         for (std::size_t c = 0; c < 3; ++c) {
-            CHECK(texels_of(many.t1, c) == texels_of(one.t1, c));
-            CHECK(texels_of(many.t2, c) == texels_of(one.t2, c));
+            CHECK(texels_of(many.terms[0].t1, c) == texels_of(one.terms[0].t1, c));
+            CHECK(texels_of(many.terms[0].t2, c) == texels_of(one.terms[0].t2, c));
             CHECK(many.fit[c].solver.history == one.fit[c].solver.history);
             CHECK(many.fit[c].relative_rms == one.fit[c].relative_rms);
         }
-        CHECK(many.max1 == one.max1);
-        CHECK(many.c == one.c);
+        CHECK(many.terms[0].max1 == one.terms[0].max1);
+        CHECK(many.terms[0].c == one.terms[0].c);
     }
 }
 
@@ -170,8 +177,8 @@ TEST_CASE("QMR and LSMR lead to the same factors") {
     const FactoredLighting lsmr = factored_phong(settings, 20000);
     CHECK(qmr.fit[0].solver.status == SolverStatus::converged);
     CHECK(lsmr.fit[0].solver.status == SolverStatus::converged);
-    CHECK(bytes_of(qmr.t1) == bytes_of(lsmr.t1));
-    CHECK(bytes_of(qmr.t2) == bytes_of(lsmr.t2));
+    CHECK(bytes_of(qmr.terms[0].t1) == bytes_of(lsmr.terms[0].t1));
+    CHECK(bytes_of(qmr.terms[0].t2) == bytes_of(lsmr.terms[0].t2));
 }
 
 TEST_CASE("one sample is reproduced and fills both maps", "[hard][F09]") {
@@ -181,7 +188,7 @@ TEST_CASE("one sample is reproduced and fills both maps", "[hard][F09]") {
     for (std::size_t c = 0; c < 3; ++c) {
         const double expected = one.radiance[0][static_cast<int>(c)];
         CHECK(drawn(result, one.at[0], c) == Approx(expected).epsilon(1e-14));
-        for (const double texel : texels_of(result.t1, c)) CHECK(texel == Approx(1.0));
+        for (const double texel : texels_of(result.terms[0].t1, c)) CHECK(texel == Approx(1.0));
     }
     CHECK(any_contains(result.warnings, "fewer than 10"));
 }
@@ -212,21 +219,21 @@ TEST_CASE("a black channel is 0 and leaves the others alone, byte for byte", "[h
     const FactoredLighting grey = factorize(samples, {}, map_of(8), 1.0, 2);
     for (Rgb& rgb : samples.radiance) rgb.x = 0.0;
     const FactoredLighting no_red = factorize(samples, {}, map_of(8), 1.0, 2);
-    CHECK(no_red.c.x == 0.0);
-    CHECK(no_red.scale_color.x == 0.0);
-    CHECK(no_red.max1.x == 0.0);
-    for (const double texel : texels_of(no_red.t1, 0)) CHECK(texel == 0.0);
-    for (const double texel : texels_of(no_red.t2, 0)) CHECK(texel == 0.0);
+    CHECK(no_red.terms[0].c.x == 0.0);
+    CHECK(no_red.terms[0].scale_color.x == 0.0);
+    CHECK(no_red.terms[0].max1.x == 0.0);
+    for (const double texel : texels_of(no_red.terms[0].t1, 0)) CHECK(texel == 0.0);
+    for (const double texel : texels_of(no_red.terms[0].t2, 0)) CHECK(texel == 0.0);
     for (const std::size_t c : {1U, 2U}) {
-        CHECK(texels_of(no_red.t1, c) == texels_of(grey.t1, c));
-        CHECK(texels_of(no_red.t2, c) == texels_of(grey.t2, c));
+        CHECK(texels_of(no_red.terms[0].t1, c) == texels_of(grey.terms[0].t1, c));
+        CHECK(texels_of(no_red.terms[0].t2, c) == texels_of(grey.terms[0].t2, c));
     }
     CHECK(no_red.fit[0].solver.iterations == 0);
     CHECK(no_red.fit[0].relative_rms == 0.0);
 
     for (Rgb& rgb : samples.radiance) rgb = Rgb(0.0);
     const FactoredLighting black = factorize(samples, {}, map_of(8), 0.0, 2);
-    CHECK(black.scale_color == Rgb(0.0));
+    CHECK(black.terms[0].scale_color == Rgb(0.0));
 }
 
 TEST_CASE("contradictory samples of one pair meet at their mean in the logarithm", "[hard][F12]") {
@@ -251,7 +258,7 @@ TEST_CASE("constant radiance converges at the start with constant factors", "[ha
             CHECK(result.fit[0].solver.status == SolverStatus::converged);
             CHECK(result.fit[0].solver.iterations == 0);
             CHECK(result.fit[0].relative_rms < 1e-14);
-            for (const double texel : texels_of(result.t1, 0)) CHECK(texel == Approx(1.0));
+            for (const double texel : texels_of(result.terms[0].t1, 0)) CHECK(texel == Approx(1.0));
         }
     }
 }
@@ -265,7 +272,7 @@ TEST_CASE("non-finite samples are left out and counted, channel by channel", "[h
     CHECK(result.fit[1].counts.non_finite == 1);
     CHECK(result.fit[1].counts.negative == 1);
     CHECK(result.fit[1].counts.used == 4999);
-    for (const double texel : texels_of(result.t1, 1)) CHECK(std::isfinite(texel));
+    for (const double texel : texels_of(result.terms[0].t1, 1)) CHECK(std::isfinite(texel));
 }
 
 TEST_CASE("without a regulariser 8 bits lose the picture, and the report says so",
@@ -280,8 +287,8 @@ TEST_CASE("without a regulariser 8 bits lose the picture, and the report says so
     plain.solver = Solver::lsmr;
     plain.tolerance = 0.0;
     const FactoredLighting bare = factorize(fit, {}, plain, white, 2);
-    CAPTURE(bare.fit[0].relative_rms, bare.fit[0].byte_rms, bare.t1.loss[0].zero_share,
-            bare.t2.loss[0].zero_share, name_of(bare.fit[0].solver.status));
+    CAPTURE(bare.fit[0].relative_rms, bare.fit[0].byte_rms, bare.terms[0].t1.loss[0].zero_share,
+            bare.terms[0].t2.loss[0].zero_share, name_of(bare.fit[0].solver.status));
     for (const std::string& warning : bare.warnings) UNSCOPED_INFO(warning);
     CHECK(bare.fit[0].byte_rms > 1.3 * bare.fit[0].relative_rms);
     CHECK(any_contains(bare.warnings, "stored as 0"));
@@ -295,8 +302,8 @@ TEST_CASE("without a regulariser 8 bits lose the picture, and the report says so
         const FactoredLighting smooth = factorize(fit, held_out, plain, white, 2);
         CAPTURE(smoothness);
         CHECK(smooth.fit[0].byte_rms < 1.01 * smooth.fit[0].relative_rms);
-        CHECK(smooth.t1.loss[0].zero_share < 0.01);
-        CHECK(smooth.t2.loss[0].zero_share < 0.01);
+        CHECK(smooth.terms[0].t1.loss[0].zero_share < 0.01);
+        CHECK(smooth.terms[0].t2.loss[0].zero_share < 0.01);
         CHECK_FALSE(any_contains(smooth.warnings, "stored as 0"));
     }
 }

@@ -119,9 +119,9 @@ TEST_CASE("in a balanced table of texel centres the first guess is the solution"
     const Vector error = minus(left.matrix.multiply(guess.x, 1), right.right_side);
     CHECK(largest_magnitude(error) < 1e-11);
 
-    const WeightedSystem system(left, right, true, 1);
+    const WeightedSystem system(left, right, settings, 1);
     const Solution solution =
-        solve_qmr(system.normal_equations(), system.apply_transpose(system.right_side()),
+        solve_qmr(normal_equations(system.problem()), system.apply_transpose(system.right_side()),
                   system.scaled_unknowns(guess.x), {.tolerance = 1e-10});
     CHECK(solution.report.status == SolverStatus::converged);
     CHECK(solution.report.iterations == 0);

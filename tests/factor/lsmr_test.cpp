@@ -56,14 +56,14 @@ TEST_CASE("the first ten iterates of QMR on the normal equations are LSMR's") {
         for (const Rgb& rgb : samples.radiance) radiance.push_back(rgb.x);
         const LogRows left = log_rows(samples.at, settings);
         const ChannelRows right = channel_rows(left, radiance, settings, 1.0);
-        const WeightedSystem system(left, right, true, 1);
+        const WeightedSystem system(left, right, settings, 1);
         const Vector b = system.right_side();
         const Vector zero(left.matrix.columns(), 0.0);
         for (int k = 1; k <= 10; ++k) {
             const StopRule rule{.tolerance = 1e-12, .iteration_limit = k};
-            const Solution qmr =
-                solve_qmr(system.normal_equations(), system.apply_transpose(b), zero, rule);
-            const Solution lsmr = solve_lsmr(system.least_squares(), b, zero, rule);
+            const Solution qmr = solve_qmr(normal_equations(system.problem()),
+                                           system.apply_transpose(b), zero, rule);
+            const Solution lsmr = solve_lsmr(system.problem().a, b, zero, rule);
             CAPTURE(k);
             REQUIRE(qmr.report.best_iteration == k);
             REQUIRE(lsmr.report.best_iteration == k);
@@ -80,8 +80,8 @@ TEST_CASE("LSMR's gradient falls in every iteration and is the true one") {
     for (const Rgb& rgb : samples.radiance) radiance.push_back(rgb.x);
     const LogRows left = log_rows(samples.at, settings);
     const ChannelRows right = channel_rows(left, radiance, settings, 1.0);
-    const WeightedSystem system(left, right, true, 1);
-    const Solution s = solve_lsmr(system.least_squares(), system.right_side(),
+    const WeightedSystem system(left, right, settings, 1);
+    const Solution s = solve_lsmr(system.problem().a, system.right_side(),
                                   Vector(left.matrix.columns(), 0.0), {.tolerance = 1e-8});
     REQUIRE(s.report.status == SolverStatus::converged);
     for (std::size_t i = 1; i < s.report.history.size(); ++i) {

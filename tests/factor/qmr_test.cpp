@@ -79,7 +79,18 @@ struct PhongSystem {
     Vector right_side() const { return weighted.apply_transpose(weighted.right_side()); }
     Vector zero() const { return Vector(left.matrix.columns(), 0.0); }
     Solution solved(const StopRule& rule) const {
-        return solve_qmr(weighted.normal_equations(), right_side(), zero(), rule);
+        return solve_qmr(normal_equations(weighted.problem()), right_side(), zero(), rule);
+    }
+    /// diag(weight) A D^-1, stored.
+    SparseMatrix rows_in_scaled_unknowns() const {
+        const Vector d = weighted.scaled_unknowns(Vector(left.matrix.columns(), 1.0));
+        RowBuilder builder;
+        for (std::size_t i = 0; i < left.matrix.rows(); ++i) {
+            std::vector<MatrixEntry> row(left.matrix.row(i).begin(), left.matrix.row(i).end());
+            for (MatrixEntry& e : row) e.value = right.weight[i] * e.value / d[e.column];
+            builder.add(row);
+        }
+        return builder.build(left.matrix.columns());
     }
     /// rms of the rows' residuals.
     double objective(const Vector& y) const {
@@ -91,7 +102,7 @@ struct PhongSystem {
     PhongSystem(const FactorSettings& settings, const LightingSamples& samples)
         : left(log_rows(samples.at, settings)),
           right(channel_rows(left, red(samples), settings, 1.0)),
-          weighted(left, right, settings.column_scaling, 1) {}
+          weighted(left, right, settings, 1) {}
     static std::vector<double> red(const LightingSamples& samples) {
         std::vector<double> values;
         for (const Rgb& rgb : samples.radiance) values.push_back(rgb.x);
@@ -299,7 +310,7 @@ TEST_CASE("one product an iteration gives a symmetric system the bits of two") {
     FactorSettings settings;
     settings.map_size = 8;
     const PhongSystem system(settings, 3000);
-    SquareOperator both = system.weighted.normal_equations();
+    SquareOperator both = normal_equations(system.weighted.problem());
     both.symmetric = false;
     const Solution two = solve_qmr(both, system.right_side(), system.zero(), {.tolerance = 1e-6});
     const Solution one = system.solved({.tolerance = 1e-6});
@@ -349,6 +360,36 @@ TEST_CASE("run on past convergence QMR neither diverges nor gets worse", "[hard]
     CHECK(forced.report.iterations < 1000);
 }
 
+TEST_CASE("unguarded QMR runs off along the null vector, the guarded one does not", "[hard][F21]") {
+    // Once D is multiplied into the stored matrix, rounding gives the null vector an eigenvalue of
+    // 1e-16 squared, and an iteration that goes on long enough finds it.
+    const PhongSystem system(cases::unregularised(16, 0.875), 30000);
+    const SparseMatrix scaled_rows = system.rows_in_scaled_unknowns();
+    const auto product = [&](const Vector& y) {
+        return scaled_rows.multiply_transpose(scaled_rows.multiply(y, 1), 1);
+    };
+    const SquareOperator normal{product, product, 1.0, true};
+    const Vector b = scaled_rows.multiply_transpose(system.weighted.right_side(), 1);
+    StopRule rule{.tolerance = 0.0,
+                  .iteration_limit = 1000,
+                  .breakdown = 0.0,
+                  .window = 0,
+                  .keep_best = false};
+    const Solution lost = solve_qmr(normal, b, system.zero(), rule);
+    CAPTURE(norm(lost.x), lost.report.relative_residual);
+    CHECK(norm(lost.x) > 1e15);
+    CHECK(lost.report.relative_residual > 0.1);
+
+    rule.keep_best = true;
+    const Solution kept = solve_qmr(normal, b, system.zero(), rule);
+    CHECK(norm(kept.x) < 100.0);
+    CHECK(kept.report.relative_residual < 1e-12);
+    rule.window = 60;
+    const Solution guarded = solve_qmr(normal, b, system.zero(), rule);
+    CHECK(norm(guarded.x) < 100.0);
+    CHECK(guarded.report.iterations < 200);
+}
+
 TEST_CASE("starts that differ by the gauge give the same factors", "[hard][F07]") {
     FactorSettings settings;
     settings.map_size = 8;
@@ -356,12 +397,13 @@ TEST_CASE("starts that differ by the gauge give the same factors", "[hard][F07]"
     Vector shifted = system.zero();
     for (std::size_t j = 0; j < shifted.size(); ++j) shifted[j] = j < shifted.size() / 2 ? 5 : -5;
     const Solution from_shifted =
-        solve_qmr(system.weighted.normal_equations(), system.right_side(),
+        solve_qmr(normal_equations(system.weighted.problem()), system.right_side(),
                   system.weighted.scaled_unknowns(shifted), {.tolerance = 1e-10});
     const Solution from_zero = system.solved({.tolerance = 1e-10});
     const Vector moved =
         minus(system.weighted.unknowns(from_shifted.x), system.weighted.unknowns(from_zero.x));
     CHECK(largest_magnitude(minus(moved, shifted)) < 1e-12);
-    CHECK(largest_magnitude(minus(balanced(system.weighted.unknowns(from_shifted.x)),
-                                  balanced(system.weighted.unknowns(from_zero.x)))) < 1e-12);
+    CHECK(largest_magnitude(minus(
+              system.weighted.gauge().balanced(system.weighted.unknowns(from_shifted.x)),
+              system.weighted.gauge().balanced(system.weighted.unknowns(from_zero.x)))) < 1e-12);
 }

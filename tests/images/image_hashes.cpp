@@ -1,9 +1,10 @@
 // Hashes of every stage of every shipped scene, drawn small: image_hashes SCENES_DIR [THREADS]
 //
-// The fast pipeline draws every preset too and has to give the same bytes and values: what it draws has no
-// hashes of its own, and a line is printed only where it differs.
-// One line a stage: scene, stage, hash. A build whose arithmetic is not exact names the first stage that
-// differs. tests/images/hashes.txt pins the output; it changes only with a preset's or a method's version.
+// The fast pipeline draws every preset too and has to give the same bytes and values: what it draws
+// has no hashes of its own, and a line is printed only where it differs.
+// One line a stage: scene, stage, hash. A build whose arithmetic is not exact names the first stage
+// that differs. tests/images/hashes.txt pins the output; it changes only with a preset's or a
+// method's version.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,9 +26,12 @@ namespace {
 using namespace twofold;
 
 /// Small enough for an unoptimised build under a sanitizer, large enough to reach every branch.
-const std::vector<std::string> object_overrides{
-    "image.width=120",          "image.height=90",     "environment.cells=512",
-    "factorization.map_size=16", "factorization.samples=12000", "factorization.held_out=1000"};
+const std::vector<std::string> object_overrides{"image.width=120",
+                                                "image.height=90",
+                                                "environment.cells=512",
+                                                "factorization.map_size=16",
+                                                "factorization.samples=12000",
+                                                "factorization.held_out=1000"};
 
 std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> scenes;
@@ -40,15 +44,20 @@ std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder
 
 Scene small_scene(const std::filesystem::path& path) {
     const bool has_objects = !read_scene(path).objects.empty();
-    return read_scene(path, has_objects ? object_overrides
-                                        : std::vector<std::string>{object_overrides[0],
-                                                                   object_overrides[1]});
+    return read_scene(
+        path, has_objects ? object_overrides
+                          : std::vector<std::string>{object_overrides[0], object_overrides[1]});
 }
 
 std::string hash_of(const DistantLights& lights) {
     Fnv1a hash;
     for (std::size_t k = 0; k < lights.size(); ++k)
-        hash.f64(lights.x[k]).f64(lights.y[k]).f64(lights.z[k]).f64(lights.r[k]).f64(lights.g[k]).f64(lights.b[k]);
+        hash.f64(lights.x[k])
+            .f64(lights.y[k])
+            .f64(lights.z[k])
+            .f64(lights.r[k])
+            .f64(lights.g[k])
+            .f64(lights.b[k]);
     return fmt::format("{:016x}", hash.value());
 }
 
@@ -96,8 +105,8 @@ void print_run(const std::string& scene, const RunResult& run) {
         fmt::print("{} lights {}\n", scene, hash_of(run.lit.lights.lights));
     for (const auto& [name, lighting] : run.lit.materials) {
         fmt::print("{} {}:solve {}\n", scene, name, hash_of(lighting.fit));
-        fmt::print("{} {}:t1 {}\n", scene, name, twofold::hash_of(lighting.t1));
-        fmt::print("{} {}:t2 {}\n", scene, name, twofold::hash_of(lighting.t2));
+        fmt::print("{} {}:t1 {}\n", scene, name, twofold::hash_of(lighting.terms[0].t1));
+        fmt::print("{} {}:t2 {}\n", scene, name, twofold::hash_of(lighting.terms[0].t2));
     }
     for (const RunPicture& p : run.pictures) {
         fmt::print("{} {}:values {}\n", scene, p.name, hash_of_values(p.picture));

@@ -80,6 +80,12 @@ TEST_CASE("a wrong name is an error that offers the nearest one") {
           "x.json: presets.1: 'gl13' is named twice");
     CHECK(pass_error("passes.0.cull=bakc") ==
           "x.json: passes.0.cull: unknown value 'bakc'; did you mean 'back'?");
+    CHECK(object_error("factorization.view_knots=1") ==
+          "x.json: factorization.view_knots: 1 is neither 0 nor in 2..256");
+    CHECK(object_error("factorization.stagnation_window=-1") ==
+          "x.json: factorization.stagnation_window: -1 is not in 0..100000");
+    CHECK(object_error("factorization.keep_best=no") ==
+          "x.json: factorization.keep_best: 'no' is neither true nor false");
     CHECK(object_error("factorization.solver=lsqr") ==
           "x.json: factorization.solver: unknown value 'lsqr'; did you mean 'lsmr'?");
 }

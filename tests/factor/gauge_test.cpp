@@ -1,0 +1,85 @@
+#include "factor/gauge.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "factor/factorize.hpp"
+#include "factor/vector_arithmetic.hpp"
+#include "factor_cases.hpp"
+
+using namespace twofold;
+
+namespace {
+
+/// Samples within two small clusters of (n, r_v) whose texels nothing joins.
+LightingSamples two_clusters() {
+    LightingSamples samples;
+    for (const SurfaceView& at : surface_views(40000, 1)) {
+        const Vec3 r = pi_2(at);
+        const double side = at.n.z > 0.9 && r.z > 0.9     ? 1.0
+                            : at.n.z < -0.9 && r.z < -0.9 ? 2.0
+                                                          : 0.0;
+        if (side == 0.0) continue;
+        samples.at.push_back(at);
+        samples.radiance.push_back(Rgb(side * (1.0 + 0.3 * at.n.x + 0.2 * r.y)));
+    }
+    return samples;
+}
+
+}  // namespace
+
+TEST_CASE("two disjoint patches of texels have a gauge each", "[hard][F08]") {
+    const LightingSamples samples = two_clusters();
+    REQUIRE(samples.at.size() > 500);
+    const FactorSettings settings = cases::unregularised(16, 0.875);
+    const LogRows rows = log_rows(samples.at, settings);
+    const Gauge gauge(rows.matrix, Vector(rows.matrix.rows(), 1.0), rows.starts());
+    REQUIRE(gauge.components() == 2);
+    const Vector scale(rows.matrix.columns(), 1.0);
+    const std::vector<SparseVector> directions = gauge.null_vectors(scale);
+    REQUIRE(directions.size() == 2);
+    for (const SparseVector& d : directions) {
+        Vector z(rows.matrix.columns(), 0.0);
+        for (std::size_t k = 0; k < d.index.size(); ++k) z[d.index[k]] = d.value[k];
+        CHECK(largest_magnitude(rows.matrix.multiply(z, 1)) < 1e-15);
+    }
+
+    const FactoredLighting result = factorize(samples, {}, settings, 1.0, 1);
+    CHECK(result.fit[0].components == 2);
+    CHECK(result.fit[0].solver.status == SolverStatus::converged);
+    bool told = false;
+    for (const std::string& warning : result.warnings)
+        told = told || warning.find("2 components") != std::string::npos;
+    CHECK(told);
+}
+
+TEST_CASE("a third factor adds a second null vector, orthogonal to the first", "[hard][F07]") {
+    FactorSettings settings;
+    settings.map_size = 8;
+    settings.view_knots = 24;
+    const LogRows rows = log_rows(surface_views(3000, 1), settings);
+    const Gauge gauge(rows.matrix, Vector(rows.matrix.rows(), 1.0), rows.starts());
+    CHECK(gauge.components() == 1);
+    Vector scale(rows.matrix.columns());
+    for (std::size_t j = 0; j < scale.size(); ++j)
+        scale[j] = 1.0 + 0.01 * static_cast<double>(j % 7);
+    const std::vector<SparseVector> directions = gauge.null_vectors(scale);
+    REQUIRE(directions.size() == 2);
+    std::vector<Vector> dense(2, Vector(scale.size(), 0.0));
+    for (std::size_t d = 0; d < 2; ++d) {
+        for (std::size_t k = 0; k < directions[d].index.size(); ++k)
+            dense[d][directions[d].index[k]] = directions[d].value[k];
+        CHECK(norm(dense[d]) == Approx(1.0));
+        Vector z = dense[d];
+        for (std::size_t j = 0; j < z.size(); ++j) z[j] /= scale[j];
+        CHECK(largest_magnitude(rows.matrix.multiply(z, 1)) < 1e-14);
+        CHECK(norm(without(dense[d], directions)) < 1e-14);
+    }
+    CHECK(std::fabs(dot(dense[0], dense[1])) < 1e-14);
+    // Balancing changes no sample.
+    Vector x(scale.size());
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] = std::sin(static_cast<double>(j));
+    const Vector moved =
+        minus(rows.matrix.multiply(gauge.balanced(x), 1), rows.matrix.multiply(x, 1));
+    CHECK(largest_magnitude(moved) < 1e-13);
+}
