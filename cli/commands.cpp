@@ -47,6 +47,24 @@ void print_comparisons(const RunResult& run) {
     }
 }
 
+/// What 8 bits leave of a channel of a product.
+void print_loss(const std::string& name, const ProductTerm& term, std::size_t term_index,
+                std::size_t c) {
+    const ByteLoss &t1 = term.t1.loss[c], &t2 = term.t2.loss[c];
+    fmt::print(
+        "{} {}: {} and {}: {} and {} levels, {:.1f} and {:.1f} % vanished, {:.1f} and {:.1f} % "
+        "clipped, vertex colour {:.4g} x {}\n",
+        name, channel_name(c), map_name("t1", term_index), map_name("t2", term_index), t1.levels,
+        t2.levels, 100.0 * t1.zero_share, 100.0 * t2.zero_share, 100.0 * t1.clipped_share,
+        100.0 * t2.clipped_share, term.scale_color[static_cast<int>(c)], term.combiner_scale);
+}
+
+void print_scale(const FactoredMaterials& materials) {
+    for (const auto& [name, lighting] : materials)
+        for (std::size_t k = 0; k < lighting.terms.size(); ++k)
+            for (std::size_t c = 0; c < 3; ++c) print_loss(name, lighting.terms[k], k, c);
+}
+
 void print_fit(const FactoredMaterials& materials) {
     for (const auto& [name, lighting] : materials)
         for (std::size_t c = 0; c < 3; ++c) {
@@ -125,10 +143,12 @@ ExitCode factor_command(const FactorOptions& options, const CommonOptions& commo
         light_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
     write_factors(scene, lit, folder.path());
     console.finish();
-    if (common.json)
+    if (common.json) {
         print_json(factors_json(scene, lit));
-    else
+    } else {
         print_fit(lit.materials);
+        print_scale(lit.materials);
+    }
     return outcome(lit.materials, warnings_of(lit.materials), console);
 }
 

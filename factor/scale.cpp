@@ -66,7 +66,7 @@ double error_of(const ChannelProduct& product, double constant, const MapShape& 
 /// The best way to carry a channel at combiner scale k.
 Candidate best_candidate(const ChannelProduct& product, double constant, const MapShape& shape,
                          double k, std::span<const PairFootprint> pairs) {
-    if (constant == 0.0) return {1.0, 1.0, 0.0, 0.0};
+    if (constant == 0.0) return {.error = 0.0};
     Candidate best;
     const auto consider = [&](Candidate candidate) {
         candidate.error = error_of(product, constant, shape, candidate, k, pairs);

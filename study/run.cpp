@@ -103,6 +103,23 @@ void note_black_channels(RunResult& run) {
                     channel_name(c)));
 }
 
+/// What a material has beyond two fitted maps.
+void note_methods(RunResult& run) {
+    for (const auto& [name, lighting] : run.lit.materials) {
+        if (!lighting.closed_form.empty())
+            run.notes.push_back(fmt::format("{}: in closed form ({}), nothing was fitted", name,
+                                            lighting.closed_form));
+        if (lighting.terms.size() > 1)
+            run.notes.push_back(
+                fmt::format("{}: {} products are added by the blender, 4 passes each", name,
+                            lighting.terms.size()));
+        if (!lighting.terms[0].view.empty())
+            run.notes.push_back(
+                fmt::format("{}: g(n.v), {} knots, is multiplied into the vertex colours", name,
+                            lighting.terms[0].view.size()));
+    }
+}
+
 bool nothing_drawn(const RunResult& run) {
     for (const RunPicture& p : run.pictures)
         for (const Rgba8 pixel : p.picture.bytes)
@@ -201,6 +218,7 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
     clock.begin("compare");
     compare_all(run, outlines_of(scene, assets));
     note_black_channels(run);
+    note_methods(run);
     if (!scene.objects.empty() && draws_more(scene))
         run.notes.push_back(
             "exact shows the objects alone, without historical ones and explicit passes; no "

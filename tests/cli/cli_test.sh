@@ -64,6 +64,11 @@ holds "stale temporaries are swept" test ! -e "$work/a/.report.html.twofold-9999
 expect 0 '"log_rms"' "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" --json
 holds "factor writes factors.json" test -s "$work/f/factors.json"
 expect 0 '"solver": "lsmr"' "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.solver=lsmr --json
+for solver in qmr lsmr cgls qmr_augmented; do
+    expect 0 "\"solver\": \"$solver\"" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" --solver $solver --json
+done
+expect 2 "did you mean 'cgls'" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" --solver cgs
+expect 0 "closed form: one Phong lobe" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.method=best
 expect 5 "the solver ended with limit" "$twofold" factor "$lobe" -o "$work/f" "${small[@]}" -D factorization.iteration_limit=3
 expect 2 "nothing to factor" "$twofold" factor "$scenes/two-passes.json" -o "$work/f"
 expect 0 "nv17" "$twofold" render "$scenes/two-passes.json" -o "$work/quad.png" --preset nv17

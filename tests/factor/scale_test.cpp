@@ -66,6 +66,18 @@ TEST_CASE("the best split needs no doubling pass where the maxima alone do", "[h
     }
 }
 
+TEST_CASE("a black channel leaves the best split of the others alone", "[hard][F11]") {
+    LightingSamples samples = cases::samples_of({}, 8000, 1);
+    const FactorSettings settings = settings_of(ScaleRule::best_split);
+    const FactoredLighting grey = factorize(samples, {}, settings, 1.0, 2);
+    for (Rgb& rgb : samples.radiance) rgb.x = 0.0;
+    const FactoredLighting no_red = factorize(samples, {}, settings, 1.0, 2);
+    CHECK(no_red.terms[0].scale_color.x == 0.0);
+    CHECK(no_red.terms[0].scale_color.y == grey.terms[0].scale_color.y);
+    CHECK(no_red.terms[0].combiner_scale == grey.terms[0].combiner_scale);
+    CHECK(no_red.terms[0].max1.y == grey.terms[0].max1.y);
+}
+
 TEST_CASE("doubling that one term needs is shared by the others") {
     ScaleSplit split = split_scale(Rgb(3.0, 1.0, 0.5));
     REQUIRE(split.combiner_scale == 4);
