@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "factor/factorize_check.hpp"
 #include "factor/first_guess.hpp"
 #include "factor/refine.hpp"
 #include "factor/scale.hpp"
@@ -30,47 +31,6 @@ struct ChannelResult {
     std::vector<ChannelProduct> terms;
     ChannelFit fit;
 };
-
-void require(bool condition, const std::string& text) {
-    if (!condition) throw Error(ExitCode::failure, "factor: " + text);
-}
-
-void check_samples(const LightingSamples& samples, const char* name) {
-    require(samples.at.size() == samples.radiance.size(),
-            fmt::format("{} has {} pairs but {} radiances", name, samples.at.size(),
-                        samples.radiance.size()));
-}
-
-void check(const LightingSamples& fit, const LightingSamples& held_out, const FactorSettings& s,
-           double white) {
-    require(!fit.at.empty(), "no samples");
-    check_samples(fit, "fit");
-    check_samples(held_out, "held_out");
-    require(s.map_size >= 2 && s.map_size <= 2048, fmt::format("map_size is {}", s.map_size));
-    require(s.guard > 0.0 && s.guard <= 1.0, fmt::format("guard is {}", s.guard));
-    require(s.floor > 0.0 && std::isfinite(s.floor), fmt::format("floor is {}", s.floor));
-    require(s.cap >= 0.0, fmt::format("cap is {}", s.cap));
-    require(s.smoothness >= 0.0 && std::isfinite(s.smoothness),
-            fmt::format("smoothness is {}", s.smoothness));
-    require(s.seam >= 0.0 && std::isfinite(s.seam), fmt::format("seam is {}", s.seam));
-    require(std::isfinite(s.row_weight), fmt::format("row_weight is {}", s.row_weight));
-    require(s.tolerance >= 0.0, fmt::format("tolerance is {}", s.tolerance));
-    require(s.iteration_limit > 0, fmt::format("iteration_limit is {}", s.iteration_limit));
-    require(s.view_knots == 0 || (s.view_knots >= 2 && s.view_knots <= 256),
-            fmt::format("view_knots is {}", s.view_knots));
-    require(s.view_smoothness >= 0.0 && std::isfinite(s.view_smoothness),
-            fmt::format("view_smoothness is {}", s.view_smoothness));
-    require(s.terms >= 1 && s.terms <= 4, fmt::format("terms is {}", s.terms));
-    require(
-        s.terms == 1 || s.refinement > 0,
-        fmt::format("terms is {} but refinement is 0, and only it tells products apart", s.terms));
-    require(s.refinement >= 0, fmt::format("refinement is {}", s.refinement));
-    require(std::isfinite(s.refinement_weight),
-            fmt::format("refinement_weight is {}", s.refinement_weight));
-    require(s.scale_percentile > 0.0 && s.scale_percentile <= 100.0,
-            fmt::format("scale_percentile is {}", s.scale_percentile));
-    require(white >= 0.0 && std::isfinite(white), fmt::format("white is {}", white));
-}
 
 Solution solve(const WeightedSystem& system, const Vector& start, const FactorSettings& settings) {
     const StopRule rule{.tolerance = settings.tolerance,
@@ -286,7 +246,7 @@ FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
 
 FactoredLighting factorize(const LightingSamples& fit, const LightingSamples& held_out,
                            const FactorSettings& settings, double white, int threads) {
-    check(fit, held_out, settings, white);
+    check_arguments(fit, held_out, settings, white);
     LeftSides left{log_rows(fit.at, settings), std::nullopt};
     if (refines(settings)) left.product = product_rows(left.log);
 

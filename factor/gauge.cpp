@@ -110,7 +110,7 @@ Gauge::Gauge(const SparseMatrix& rows, std::span<const double> row_weight,
     for (std::uint32_t j = 0; j < rows.columns(); ++j) {
         if (!connection.touched[j]) parts_[0][factor_of(j, starts)].push_back(j);
     }
-    for (auto& index : parts_[0]) std::sort(index.begin(), index.end());
+    for (auto& index : parts_[0]) std::stable_sort(index.begin(), index.end());
 }
 
 Vector Gauge::balanced(Vector x) const {

@@ -1,0 +1,12 @@
+#pragma once
+#include "factor/samples.hpp"
+#include "factor/settings.hpp"
+
+namespace twofold {
+
+/// Refuses what factorize() cannot work with.
+/// @throws Error that names the argument or the setting and its value
+void check_arguments(const LightingSamples& fit, const LightingSamples& held_out,
+                     const FactorSettings& settings, double white);
+
+}  // namespace twofold
