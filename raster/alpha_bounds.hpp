@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "raster/alpha_outcome.hpp"
 #include "raster/bind.hpp"
+#include "raster/lane_image.hpp"
 #include "raster/window_mesh.hpp"
 
 /// What the alpha test will say of a whole triangle, found before it is drawn: the four passes of
@@ -133,9 +135,6 @@ inline AlphaKnown alpha_known(const AlphaLookup& lookup, const std::array<TexelP
     return AlphaKnown::nothing;
 }
 
-/// What the alpha test of a pass does with a triangle.
-enum class AlphaOutcome : std::uint8_t { open, fails, passes };
-
 /// The outcome where the units' alphas are known: a zero makes the product 0, ones leave the
 /// triangle's own alpha.
 /// @param own  the alpha of all three corners, if it is the same
@@ -178,7 +177,8 @@ void add_pass(GroupAlpha<M>& group, const BoundPass<M>& pass,
               const std::array<std::size_t, max_units>& set_of) {
     auto& units = group.of_pass.emplace_back();
     group.outcomes.emplace_back();
-    if (!pass.state.alpha_test || !multiplies_alpha(pass)) return;
+    if (lane_kind<M>() == LaneKind::none || !pass.state.alpha_test || !multiplies_alpha(pass))
+        return;
     for (const BoundUnit<M>& unit : pass.units) {
         units.push_back(GroupAlpha<M>::none);
         if (!alpha_is_bounded(unit)) continue;

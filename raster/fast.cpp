@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "raster/alpha_bounds.hpp"
+#include "raster/bins.hpp"
 #include "raster/first_target.hpp"
 #include "raster/frame_check.hpp"
 #include "raster/tile.hpp"
@@ -12,35 +13,6 @@
 
 namespace twofold {
 namespace {
-
-/// A triangle that a pass draws into a tile.
-struct BinEntry {
-    std::uint32_t triangle;  ///< of the pass's mesh
-    std::uint16_t pass;
-    bool certain;  ///< its alpha test is known to pass
-};
-
-/// The entries of all tiles one after the other, in drawing order within a tile.
-struct Bins {
-    int columns = 0, rows = 0;
-    std::vector<std::uint32_t> first;  ///< of each tile, and the end
-    std::vector<BinEntry> entries;
-};
-
-/// The tiles that a rectangle of pixels meets.
-struct TileRange {
-    int x0, y0, x1, y1;
-};
-
-TileRange tiles_of(const MeshTriangle& t, const PixelRectangle& pixels) {
-    const auto tile = [](std::int64_t pixel) { return static_cast<int>(pixel / lanes::tile_edge); };
-    const auto x0 = std::max<std::int64_t>(t.x0, pixels.x0);
-    const auto y0 = std::max<std::int64_t>(t.y0, pixels.y0);
-    const auto x1 = std::min<std::int64_t>(t.x1, pixels.x1);
-    const auto y1 = std::min<std::int64_t>(t.y1, pixels.y1);
-    if (x0 >= x1 || y0 >= y1) return {0, 0, 0, 0};
-    return {tile(x0), tile(y0), tile(x1 - 1) + 1, tile(y1 - 1) + 1};
-}
 
 /// A frame on its way through the fast pipeline, with all memory that the next frame can use again.
 template <NumericModel M>
@@ -62,13 +34,6 @@ struct FastState {
     Bins bins;
     TileMemoryPool<M> pool;
     std::vector<StoredColor<M>> color;  ///< rows top down
-
-    /// What a pass's alpha test does with each triangle of its mesh; empty if nothing is known.
-    const std::vector<AlphaOutcome>& outcomes(const TilePass<M>& pass) const {
-        static const std::vector<AlphaOutcome> unknown;
-        const auto& of_group = alphas[pass.group].outcomes;
-        return pass.member < of_group.size() ? of_group[pass.member] : unknown;
-    }
 };
 
 template <NumericModel M>
@@ -133,59 +98,12 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
         for (std::size_t k = 0; k < groups[g].passes.size(); ++k) {
             const auto& set_of = groups[g].set_of[k];
             state->passes.push_back(tile_pass(*state, groups[g].passes[k], g, k, set_of));
-            if (lane_kind<M>() != LaneKind::none)
-                add_pass(state->alphas[g], state->passes.back().bound, set_of);
+            add_pass(state->alphas[g], state->passes.back().bound, set_of);
         }
     }
     state->color.resize(static_cast<std::size_t>(frame.width) *
                         static_cast<std::size_t>(frame.height));
     return state;
-}
-
-/// Calls visit(tile number, entry) for every triangle of every pass, in drawing order.
-template <NumericModel M, class Visit>
-void for_each_entry(const FastState<M>& state, Visit&& visit) {
-    for (std::size_t p = 0; p < state.passes.size(); ++p) {
-        const TilePass<M>& pass = state.passes[p];
-        const auto& triangles = pass.mesh->triangles;
-        const bool certain = !pass.bound.state.alpha_test;
-        const auto& outcomes = state.outcomes(pass);
-        for (std::size_t k = 0; k < triangles.size(); ++k) {
-            const AlphaOutcome outcome = outcomes.empty() ? AlphaOutcome::open : outcomes[k];
-            if (outcome == AlphaOutcome::fails) continue;
-            const BinEntry entry{static_cast<std::uint32_t>(k), static_cast<std::uint16_t>(p),
-                                 certain || outcome == AlphaOutcome::passes};
-            const TileRange r = tiles_of(triangles[k], pass.pixels);
-            for (int y = r.y0; y < r.y1; ++y)
-                for (int x = r.x0; x < r.x1; ++x)
-                    visit(static_cast<std::size_t>(y * state.bins.columns + x), entry);
-        }
-    }
-}
-
-/// Sorts all triangles of all passes into tiles: counts, then places.
-template <NumericModel M>
-void fill_bins(FastState<M>& state) {
-    Bins& bins = state.bins;
-    const auto tiles = [](int pixels) { return (pixels + lanes::tile_edge - 1) / lanes::tile_edge; };
-    bins.columns = tiles(state.frame.width);
-    bins.rows = tiles(state.frame.height);
-    bins.first.assign(static_cast<std::size_t>(bins.columns * bins.rows) + 2, 0);
-    for_each_entry(state, [&](std::size_t tile, const BinEntry&) { ++bins.first[tile + 2]; });
-    for (std::size_t k = 2; k < bins.first.size(); ++k) bins.first[k] += bins.first[k - 1];
-    bins.entries.resize(bins.first.back());
-    for_each_entry(state, [&](std::size_t tile, const BinEntry& entry) {
-        bins.entries[bins.first[tile + 1]++] = entry;
-    });
-}
-
-/// The part of the picture that a tile is.
-PixelRectangle tile_rectangle(const Bins& bins, std::size_t tile, const Frame& frame) {
-    const auto column = static_cast<int>(tile) % bins.columns;
-    const auto row = static_cast<int>(tile) / bins.columns;
-    const int x0 = column * lanes::tile_edge, y0 = row * lanes::tile_edge;
-    return {x0, y0, std::min(frame.width, x0 + lanes::tile_edge),
-            std::min(frame.height, y0 + lanes::tile_edge)};
 }
 
 template <NumericModel M>
@@ -231,14 +149,8 @@ void draw_entry(const TilePass<M>& pass, const BinEntry& entry, const PixelRecta
         std::min({area.x1, pass.pixels.x1, std::int64_t{triangle.x1}}),
         std::min({area.y1, pass.pixels.y1, std::int64_t{triangle.y1}})};
     const TileTriangle<M> t{pass, triangle, set_up({point(0), point(1), point(2)}), pixels,
-                            entry.certain};
+                            entry.certain != 0};
     draw_triangle(t, tile);
-}
-
-/// Nothing is drawn into the tile, and it starts from one colour.
-template <NumericModel M>
-bool is_empty(const FastState<M>& state, std::size_t tile) {
-    return !state.frame.initial_color && state.bins.first[tile] == state.bins.first[tile + 1];
 }
 
 template <NumericModel M>
@@ -251,8 +163,9 @@ void clear_tile(FastState<M>& state, const PixelRectangle& area) {
 
 template <NumericModel M>
 void draw_tile(FastState<M>& state, std::size_t number) {
-    const PixelRectangle area = tile_rectangle(state.bins, number, state.frame);
-    if (is_empty(state, number)) return clear_tile(state, area);
+    const Frame& frame = state.frame;
+    const PixelRectangle area = tile_rectangle(state.bins, number, frame.width, frame.height);
+    if (!frame.initial_color && state.bins.is_empty(number)) return clear_tile(state, area);
     auto tile = state.pool.take();
     start_tile(state, area, *tile);
     const TilePass<M>* drawing = nullptr;
@@ -271,6 +184,16 @@ void draw_tile(FastState<M>& state, std::size_t number) {
 }
 
 template <NumericModel M>
+std::vector<BinPass> bin_passes(const FastState<M>& state) {
+    std::vector<BinPass> passes;
+    for (const TilePass<M>& pass : state.passes)
+        passes.push_back({&pass.mesh->triangles, pass.pixels,
+                          pass.bound.state.alpha_test.has_value(),
+                          &state.alphas[pass.group].outcomes[pass.member]});
+    return passes;
+}
+
+template <NumericModel M>
 void draw_frame(FastState<M>& state) {
     for (std::size_t g = 0; g < state.meshes.size(); ++g) {
         const GroupGeometry<M>& geometry = state.geometry[g];
@@ -281,9 +204,9 @@ void draw_frame(FastState<M>& state) {
             if (pass.group == g) passes.push_back(&pass.bound);
         find_outcomes(state.meshes[g], passes, state.alphas[g]);
     }
-    fill_bins(state);
-    const auto tiles = static_cast<std::size_t>(state.bins.columns * state.bins.rows);
-    parallel_for(tiles, state.options.threads, [&](std::size_t k) { draw_tile(state, k); });
+    fill_bins(bin_passes(state), state.frame.width, state.frame.height, state.bins);
+    parallel_for(state.bins.tiles(), state.options.threads,
+                 [&](std::size_t k) { draw_tile(state, k); });
 }
 
 template <NumericModel M>
