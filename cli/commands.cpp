@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console.hpp"
-#include "raster/reference.hpp"
 #include "scenes/scene_file.hpp"
 #include "study/pictures.hpp"
 #include "study/results_json.hpp"
@@ -101,6 +100,15 @@ void write_picture(const std::filesystem::path& path, const Framebuffer& picture
         write_file_atomically(path, encode_exr(float_image(picture)));
 }
 
+/// Only the reference looks at every fragment and counts it.
+Json picture_json(Preset preset, Pipeline pipeline, const Framebuffer& picture) {
+    Json json = {{"preset", name_of(preset)},
+                 {"pipeline", name_of(pipeline)},
+                 {"hash", hash_of(picture)}};
+    if (pipeline == Pipeline::reference) json["counters"] = to_json(picture.counters);
+    return json;
+}
+
 /// Found out before the work instead of after it.
 void require_folder_of(const std::filesystem::path& file) {
     const std::filesystem::path folder = file.parent_path();
@@ -111,12 +119,19 @@ void require_folder_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+Pipeline pipeline_or_error(const std::string& name) {
+    if (const auto pipeline = pipeline_named(name)) return *pipeline;
+    throw Error(ExitCode::failure,
+                fmt::format("--pipeline: no pipeline '{}'; there are: fast reference", name));
+}
+
 ExitCode run_command(const RunOptions& options, const CommonOptions& common) {
+    const Pipeline pipeline = pipeline_or_error(options.pipeline);
     const Scene scene = read_scene(options.scene, common.overrides);
     const OutputFolder folder(options.output);
     Console console(common.quiet);
-    RunResult run =
-        run_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
+    const auto listen = [&](const std::string& step) { console.step(step); };
+    RunResult run = run_scene(scene, common.threads, listen, pipeline);
     console.step("write report");
     const auto report = write_run(run, folder.path(), {options.scene, common.command_line});
     console.finish();
@@ -153,6 +168,7 @@ ExitCode factor_command(const FactorOptions& options, const CommonOptions& commo
 }
 
 ExitCode render_command(const RenderOptions& options, const CommonOptions& common) {
+    const Pipeline pipeline = pipeline_or_error(options.pipeline);
     const Scene scene = read_scene(options.scene, common.overrides);
     const Preset preset =
         options.preset.empty() ? scene.presets.front() : preset_or_error(options.preset);
@@ -166,14 +182,12 @@ ExitCode render_command(const RenderOptions& options, const CommonOptions& commo
     const LitScene lit =
         light_scene(scene, common.threads, [&](const std::string& step) { console.step(step); });
     console.step(fmt::format("draw {}", name_of(preset)));
-    const Framebuffer picture =
-        render_reference(make_frame(scene, assets, lit.materials, preset), preset, scene.custom);
+    const Framebuffer picture = render(make_frame(scene, assets, lit.materials, preset), preset,
+                                       scene.custom, {pipeline, common.threads});
     write_picture(options.output, picture);
     console.finish();
     if (common.json)
-        print_json({{"preset", name_of(preset)},
-                    {"hash", hash_of(picture)},
-                    {"counters", to_json(picture.counters)}});
+        print_json(picture_json(preset, pipeline, picture));
     else
         fmt::print("{} {} {}\n", name_of(preset), hash_of(picture), options.output);
     return outcome(lit.materials, warnings_of(scene, lit.materials), console);

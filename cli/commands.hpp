@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "raster/renderer.hpp"
 #include "texunit/error.hpp"
 #include "texunit/preset.hpp"
 
@@ -21,9 +22,14 @@ struct CommonOptions {
 /// @throws Error with the names that there are
 Preset preset_or_error(const std::string& name);
 
+/// The pipeline that --pipeline names.
+/// @throws Error with the names that there are
+Pipeline pipeline_or_error(const std::string& name);
+
 struct RunOptions {
     std::string scene;
     std::string output = "out";
+    std::string pipeline = "fast";
 };
 ExitCode run_command(const RunOptions& options, const CommonOptions& common);
 
@@ -38,6 +44,7 @@ struct RenderOptions {
     std::string scene;
     std::string output;
     std::string preset;  ///< empty = the first that the scene names
+    std::string pipeline = "fast";
 };
 ExitCode render_command(const RenderOptions& options, const CommonOptions& common);
 

@@ -34,12 +34,20 @@ void add_common(CLI::App& command, CommonOptions& common, bool reads_scene) {
         ->check(CLI::Range(0, 1024));
 }
 
+void add_pipeline(CLI::App& command, std::string& pipeline) {
+    command
+        .add_option("--pipeline", pipeline,
+                    "fast, or reference: the same bytes, and with --json its counted work")
+        ->capture_default_str();
+}
+
 void define_run(CLI::App& app, Options& o) {
     auto* c = app.add_subcommand(
         "run", "Factor a scene, draw it in every preset it names, compare, report");
     c->add_option("SCENE", o.run.scene, "Scene file")->required();
     c->add_option("-o,--output", o.run.output, "Folder for report.html, pictures, manifest.json")
         ->capture_default_str();
+    add_pipeline(*c, o.run.pipeline);
     add_common(*c, o.common, true);
     c->footer("Example: twofold run scenes/gold-suzanne.json -o out -D image.width=512");
 }
@@ -62,6 +70,7 @@ void define_render(CLI::App& app, Options& o) {
     c->add_option("-o,--output", o.render.output, "Picture: .png (8 bits) or .exr (binary32)")
         ->required();
     c->add_option("--preset", o.render.preset, "Numeric preset; without it the scene's first");
+    add_pipeline(*c, o.render.pipeline);
     add_common(*c, o.common, true);
     c->footer("Example: twofold render scenes/two-passes.json -o quad.png --preset nv17");
 }

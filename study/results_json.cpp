@@ -115,7 +115,7 @@ Json pictures_json(const RunResult& run, bool with_counters) {
     Json pictures = Json::object();
     for (const RunPicture& p : run.pictures) {
         pictures[p.name] = {{"hash", hash_of(p.picture)}};
-        if (with_counters && p.name != "exact")
+        if (with_counters && p.name != "exact" && run.pipeline == Pipeline::reference)
             pictures[p.name]["counters"] = to_json(p.picture.counters);
     }
     return pictures;
@@ -208,6 +208,7 @@ Json run_json(const RunResult& run) {
     return {{"factors", factors_json(run.scene, run.lit)},
             {"averaging_cost", run.averaging_cost},
             {"turned_away", run.turned_away},
+            {"pipeline", name_of(run.pipeline)},
             {"pictures", pictures_json(run, true)},
             {"comparisons", comparisons},
             {"seconds", steps},

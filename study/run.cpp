@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "raster/reference.hpp"
+#include "raster/renderer.hpp"
 #include "study/outline.hpp"
 #include "study/pictures.hpp"
 #include "texunit/presets.hpp"
@@ -45,10 +45,11 @@ void draw_exact(RunResult& run, const SceneAssets& assets, int threads) {
     run.pictures.push_back({"exact", std::move(exact.picture)});
 }
 
-void draw_preset(RunResult& run, const SceneAssets& assets, Preset preset) {
+void draw_preset(RunResult& run, const SceneAssets& assets, int threads, Preset preset) {
     const Frame frame = make_frame(run.scene, assets, run.lit.materials, preset);
     run.pictures.push_back(
-        {std::string(name_of(preset)), render_reference(frame, preset, run.scene.custom)});
+        {std::string(name_of(preset)),
+         render(frame, preset, run.scene.custom, {run.pipeline, threads})});
 }
 
 /// The outline pixels of each preset's picture. A scene without objects has none, nor has exact,
@@ -194,8 +195,9 @@ std::vector<std::string> warnings_of(const Scene& scene, const FactoredMaterials
     return warnings;
 }
 
-RunResult run_scene(const Scene& scene, int threads, const StepListener& listen) {
-    RunResult run{scene, {}, {}, 0, {}, {}, {}, {}, {}};
+RunResult run_scene(const Scene& scene, int threads, const StepListener& listen,
+                    Pipeline pipeline) {
+    RunResult run{scene, pipeline, {}, {}, 0, {}, {}, {}, {}, {}};
     StepClock clock(run.steps, listen);
     clock.begin("meshes and textures");
     const SceneAssets assets = load_assets(scene);
@@ -213,7 +215,7 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen)
     }
     for (const Preset preset : scene.presets) {
         clock.begin(fmt::format("draw {}", name_of(preset)));
-        draw_preset(run, assets, preset);
+        draw_preset(run, assets, threads, preset);
     }
     clock.begin("compare");
     compare_all(run, outlines_of(scene, assets));

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "raster/renderer.hpp"
 #include "scenes/exact_picture.hpp"
 #include "scenes/lighting.hpp"
 #include "study/metrics.hpp"
@@ -32,6 +33,7 @@ struct RunComparison {
 
 struct RunResult {
     Scene scene;
+    Pipeline pipeline = Pipeline::fast;  ///< that drew the presets' pictures
     LitScene lit;
     std::map<std::string, double> averaging_cost;  ///< by material
     std::size_t turned_away = 0;                   ///< see ExactPicture
@@ -42,8 +44,10 @@ struct RunResult {
     std::vector<std::string> warnings;
 };
 
-/// @param listen told of each step as it begins
-RunResult run_scene(const Scene& scene, int threads, const StepListener& listen);
+/// @param listen   told of each step as it begins
+/// @param pipeline changes no byte; only the reference fills the pictures' counters
+RunResult run_scene(const Scene& scene, int threads, const StepListener& listen,
+                    Pipeline pipeline = Pipeline::fast);
 
 /// What the factorisation warns of, each with its material's name.
 std::vector<std::string> warnings_of(const FactoredMaterials& materials);

@@ -4,11 +4,10 @@
 
 #include "bench/draw/contest.hpp"
 #include "raster/fast.hpp"
+#include "raster/renderer.hpp"
 
 /// What is measured, as values.
 namespace twofold::bench {
-
-enum class Pipeline { fast, reference };
 
 /// twofold under one preset.
 struct OurEntry {

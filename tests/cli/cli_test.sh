@@ -78,6 +78,16 @@ expect 2 "there are: ideal64 float32 gl13 nv2x nv17 coarse8 custom" "$twofold" r
 expect 2 "must end in .png or .exr" "$twofold" render "$lobe" -o "$work/x.jpg"
 expect 4 "no/such/folder" "$twofold" render "$scenes/two-passes.json" -o "$work/no/such/folder/x.png"
 
+# Both pipelines: the same bytes, counters of the reference only
+expect 0 '"counters"' "$twofold" render "$scenes/two-passes.json" -o "$work/reference.png" --preset nv17 \
+    --pipeline reference --json
+holds "fast draws the reference's bytes" cmp "$work/quad.png" "$work/reference.png"
+expect 0 '"pipeline": "fast"' "$twofold" render "$scenes/two-passes.json" -o "$work/quad.png" --preset nv17 --json -j 2
+holds "fast counts nothing" sh -c "! grep -q counters '$work/output'"
+expect 0 '"counters"' "$twofold" run "$lobe" -o "$work/r" "${small[@]}" --pipeline reference --json
+holds "a run's manifest does not depend on the pipeline" cmp "$work/a/manifest.json" "$work/r/manifest.json"
+expect 2 "there are: fast reference" "$twofold" render "$lobe" -o "$work/x.png" --pipeline quick
+
 # compare
 expect 0 "0 of 65536 pixels differ" "$twofold" compare "$work/quad.png" "$work/quad.png"
 expect 2 "pixels differ, first at" "$twofold" compare "$work/quad.png" "$work/quad-gl13.png" --diff "$work/d.png"
