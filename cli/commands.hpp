@@ -58,6 +58,7 @@ ExitCode compare_command(const CompareOptions& options, const CommonOptions& com
 struct ExplainOptions {
     std::string scene;
     std::string preset;
+    bool cost = false;  ///< measure the scene's effects instead
 };
 ExitCode explain_command(const ExplainOptions& options, const CommonOptions& common);
 

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/cost.hpp"
+#include "raster/fast_plan.hpp"
 #include "raster/plan.hpp"
 #include "raster/reference.hpp"
 #include "scenes/scene_file.hpp"
@@ -68,6 +70,29 @@ DrawCounters work_of(const Frame& frame, std::size_t pass, const Scene& scene) {
     return render_reference(alone, scene.presets.front(), scene.custom).counters;
 }
 
+/// How the fast pipeline computes something, with the reason where not on vectors.
+std::string way_of(const std::string& why_scalar) {
+    return why_scalar.empty() ? "on vectors" : "one by one: " + why_scalar;
+}
+
+std::string sharing_of(const FastRoute& route, std::size_t pass) {
+    if (pass == 0) return "the first pass";
+    if (route.apart.empty()) return "fused: shares vertices and set-up with the pass before";
+    return "not fused with the pass before: " + route.apart;
+}
+
+Json route_json(const FastRoute& route, std::size_t pass) {
+    return {{"vertices", way_of(route.scalar_vertices)},
+            {"fragments", way_of(route.scalar_fragments)},
+            {"fused", pass > 0 && route.apart.empty()},
+            {"geometry", sharing_of(route, pass)}};
+}
+
+void print_route(const FastRoute& route, std::size_t pass) {
+    fmt::print("  fast pipeline: vertices {}; fragments {}; {}\n", way_of(route.scalar_vertices),
+               way_of(route.scalar_fragments), sharing_of(route, pass));
+}
+
 Json pass_json(const PassState& state, const DrawCounters& work) {
     Json stages = Json::array();
     for (const PlannedStage& s : plan(state))
@@ -88,21 +113,69 @@ void print_pass(std::size_t i, const PassState& state, const DrawCounters& work)
 ExitCode explain_scene(const ExplainOptions& options, const CommonOptions& common) {
     const Scene scene = read_scene(options.scene, common.overrides);
     const Frame frame = explained_frame(scene);
+    const auto routes = fast_routes(frame, scene.presets.front(), scene.custom);
     Json passes = Json::array();
     for (std::size_t i = 0; i < frame.passes.size(); ++i) {
-        const PassState& state = frame.passes[i].state;
+        const PassState state = normalized(frame, frame.passes[i]);
         const DrawCounters work = work_of(frame, i, scene);
-        if (common.json)
+        if (common.json) {
             passes.push_back(pass_json(state, work));
-        else
+            passes.back()["fast"] = route_json(routes[i], i);
+        } else {
             print_pass(i, state, work);
+            print_route(routes[i], i);
+        }
     }
     const std::string note =
         "before factoring: rgb_scale is taken as 1; a scale above 4 adds doubling passes";
+    const std::string triangles =
+        "on vectors but for triangles whose coordinates are beyond bounds or whose q changes sign";
+    if (common.json) {
+        fmt::print("{}\n", Json{{"passes", passes}, {"note", note}, {"vectors", triangles}}.dump(2));
+        return ExitCode::ok;
+    }
+    fmt::print("{}\n", triangles);
+    if (!scene.objects.empty()) fmt::print("{}\n", note);
+    return ExitCode::ok;
+}
+
+constexpr const char* cost_note =
+    "percent of the frame's processor time, one thread, measured by leaving the effect out: of this "
+    "machine, noisy, and not additive; negative where it saves work";
+
+Json cost_json(Preset preset, const FrameCost& cost) {
+    Json effects = Json::array();
+    for (const EffectCost& e : cost.effects)
+        effects.push_back({{"effect", e.effect},
+                           {"percent", e.percent},
+                           {"least", e.least},
+                           {"most", e.most}});
+    return {{"preset", name_of(preset)},
+            {"frame_ms", cost.seconds * 1e3},
+            {"effects", effects},
+            {"note", cost_note}};
+}
+
+void print_cost(Preset preset, const FrameCost& cost) {
+    fmt::print("{}: {:.3f} ms a frame\n", name_of(preset), cost.seconds * 1e3);
+    for (const EffectCost& e : cost.effects)
+        fmt::print("  {:<24} {:>6.1f} %  ({:.1f} to {:.1f})\n", e.effect, e.percent, e.least,
+                   e.most);
+    fmt::print("{}\n", cost_note);
+}
+
+/// The scene is lit first, since what its textures hold decides what is drawn.
+ExitCode explain_cost(const ExplainOptions& options, const CommonOptions& common) {
+    const Scene scene = read_scene(options.scene, common.overrides);
+    const Preset preset = scene.presets.front();
+    const LitScene lit = light_scene(scene, common.threads, [](const std::string&) {});
+    const Frame frame = make_frame(scene, load_assets(scene), lit.materials, preset);
+    constexpr int rounds = 9;
+    const FrameCost cost = measure_cost(frame, preset, scene.custom, rounds);
     if (common.json)
-        fmt::print("{}\n", Json{{"passes", passes}, {"note", note}}.dump(2));
-    else if (!scene.objects.empty())
-        fmt::print("{}\n", note);
+        fmt::print("{}\n", cost_json(preset, cost).dump(2));
+    else
+        print_cost(preset, cost);
     return ExitCode::ok;
 }
 
@@ -120,6 +193,9 @@ Preset preset_or_error(const std::string& name) {
 ExitCode explain_command(const ExplainOptions& options, const CommonOptions& common) {
     if (options.scene.empty() == options.preset.empty())
         throw Error(ExitCode::failure, "explain: give either a scene or --preset NAME");
+    if (options.cost && options.scene.empty())
+        throw Error(ExitCode::failure, "--cost: needs a scene to measure");
+    if (options.cost) return explain_cost(options, common);
     if (!options.scene.empty()) return explain_scene(options, common);
     const Preset preset = preset_or_error(options.preset);
     if (common.json)

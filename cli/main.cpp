@@ -92,6 +92,8 @@ void define_explain(CLI::App& app, Options& o) {
                                  "Which stages run, why and at what cost; or a preset's table");
     c->add_option("SCENE", o.explain.scene, "Scene file");
     c->add_option("--preset", o.explain.preset, "Print the table of this numeric preset");
+    c->add_flag("--cost", o.explain.cost,
+                "Measure what each effect that is on adds to the scene's frame, in percent");
     add_common(*c, o.common, true);
     c->footer("Example: twofold explain --preset nv17");
 }

@@ -67,7 +67,7 @@ template <NumericModel M>
 TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, std::size_t member,
                       const std::array<std::size_t, max_units>& set_of) {
     const Frame& frame = state.frame;
-    const PassState normal = normalized(frame.passes[pass].state);
+    const PassState normal = normalized(frame, frame.passes[pass]);
     BoundPass<M> bound = twofold::bind(state.m, normal, state.textures, state.white);
     const bool known = lanes_know<M>(bound);
     auto shader = known ? make_shader(state, bound) : lanes::Shader<LaneTexel<M>>{};

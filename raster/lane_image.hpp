@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -71,10 +72,10 @@ bool moderate(const UploadedImage<M>& image) {
     return true;
 }
 
-/// Whether vectors can do what a unit asks for: one level of a two-dimensional image, MODULATE, or
-/// REPLACE of all channels.
+/// What of a unit vectors do not know; empty if they know it: one level of a two-dimensional image,
+/// MODULATE, or REPLACE of all channels.
 template <NumericModel M>
-bool lanes_know(const BoundUnit<M>& unit) {
+std::string why_not_on_lanes(const BoundUnit<M>& unit) {
     const TextureUnitState& s = unit.state;
     const BaseFormat format = unit.texture->base_format;
     const bool mirrored =
@@ -82,20 +83,35 @@ bool lanes_know(const BoundUnit<M>& unit) {
     const bool modulates = s.env.mode == TexEnvMode::modulate && format != BaseFormat::alpha;
     const bool replaces = s.env.mode == TexEnvMode::replace && format == BaseFormat::rgba &&
                           unit.env.rgb_scale == 1 && unit.env.alpha_scale == 1;
-    return s.target != TextureTarget::cube_map && !unit.derivatives &&
-           (s.mag_filter == Filter::linear || !mirrored) && (modulates || replaces) &&
-           moderate<M>(unit.texture->levels[0]);
+    if (s.target == TextureTarget::cube_map) return "a cube map";
+    if (unit.derivatives) return "level of detail: mipmaps, or two filters";
+    if (mirrored && s.mag_filter == Filter::nearest) return "mirrored_repeat with filter nearest";
+    if (!modulates && !replaces)
+        return "an environment other than modulate, or replace of all four channels";
+    if (!moderate<M>(unit.texture->levels[0])) return "a texel that is not finite or above 2^60";
+    return {};
+}
+
+/// What of a pass keeps vectors from shading its fragments; empty if nothing does.
+template <NumericModel M>
+std::string why_not_on_lanes(const BoundPass<M>& pass) {
+    if (lane_kind<M>() == LaneKind::none)
+        return "preset " + std::string(name_of(M::preset)) + " has no vectors";
+    if (pass.combiners) return "register combiners";
+    if (pass.state.color_sum) return "colour sum";
+    if (pass.state.fog) return "fog";
+    if (pass.units.size() > lanes::lane_units)
+        return "more than " + std::to_string(lanes::lane_units) + " texture units";
+    for (const BoundUnit<M>& unit : pass.units)
+        if (const std::string why = why_not_on_lanes<M>(unit); !why.empty())
+            return "texture unit " + std::to_string(unit.index) + ": " + why;
+    return {};
 }
 
 /// Whether vectors can shade the fragments of a pass.
 template <NumericModel M>
 bool lanes_know(const BoundPass<M>& pass) {
-    if (lane_kind<M>() == LaneKind::none || pass.combiners || pass.state.color_sum ||
-        pass.state.fog || pass.units.size() > lanes::lane_units)
-        return false;
-    for (const BoundUnit<M>& unit : pass.units)
-        if (!lanes_know<M>(unit)) return false;
-    return true;
+    return why_not_on_lanes(pass).empty();
 }
 
 template <NumericModel M>

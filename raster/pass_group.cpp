@@ -54,9 +54,13 @@ std::vector<PassGroup> group_passes(const Frame& frame, bool fuse) {
     std::vector<PassGroup> groups;
     for (std::size_t k = 0; k < frame.passes.size(); ++k) {
         const PassState state = normalized(frame.passes[k].state);
-        const bool joins = fuse && k > 0 && why_not_fused(frame.passes[k - 1], frame.passes[k]).empty();
-        if (joins && add(groups.back(), k, state)) continue;
-        groups.emplace_back();
+        std::string apart = k == 0 ? "" : "fusing is off";
+        if (fuse && k > 0) apart = why_not_fused(frame.passes[k - 1], frame.passes[k]);
+        if (k > 0 && apart.empty()) {
+            if (add(groups.back(), k, state)) continue;
+            apart = "more different texture coordinates than there are units";
+        }
+        groups.emplace_back().apart = apart;
         add(groups.back(), k, state);
     }
     return groups;

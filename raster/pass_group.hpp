@@ -24,6 +24,7 @@ struct PassGroup {
     std::vector<CoordinateSet> sets;  ///< at most max_units
     /// set_of[k][u]: the set that unit u of the group's pass k reads
     std::vector<std::array<std::size_t, max_units>> set_of;
+    std::string apart;  ///< why it does not belong to the group before; empty for the first
 };
 
 /// Why two passes cannot share their geometry; empty if they can.

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <memory>
+#include <string>
 #include <type_traits>
 
 #include "raster/vertex_lanes.hpp"
@@ -103,24 +104,28 @@ lanes::VertexRule vertex_rule(const M& m, const GroupGeometry<M>& g) {
     return rule;
 }
 
-/// Whether vectors know what a group asks of the vertex stage.
+/// What of a group vectors do not know in the vertex stage; empty if they know it.
 template <NumericModel M>
-bool lanes_know(const GroupGeometry<M>& g, const lanes::VertexRule& rule) {
-    bool known = !g.rules.window_space && !g.state.fog && is_finite(rule.composite) &&
-                 is_finite(rule.modelview);
+std::string why_not_on_lanes(const GroupGeometry<M>& g, const lanes::VertexRule& rule) {
+    if (g.rules.window_space) return "window_space";
+    if (g.state.fog) return "fog";
+    if (!is_finite(rule.composite) || !is_finite(rule.modelview))
+        return "a matrix that is not finite";
     for (std::size_t k = 0; k < g.sets; ++k) {
         const TexGenState& texgen = g.state.units[k]->texgen;
-        known = known && is_finite(rule.set[k].matrix) && is_finite(rule.set[k].plane) &&
-                !any_mode(texgen, TexGen::sphere_map, TexGen::sphere_map, TexGen::sphere_map);
+        if (any_mode(texgen, TexGen::sphere_map, TexGen::sphere_map, TexGen::sphere_map))
+            return "sphere_map";
+        if (!is_finite(rule.set[k].matrix) || !is_finite(rule.set[k].plane))
+            return "a texture matrix or plane that is not finite";
     }
-    return known;
+    return {};
 }
 
 template <NumericModel M>
 void make_columns(const M& m, const GroupGeometry<M>& g, VertexColumns& out) {
     using A = typename M::Vertex;
     out.rule = vertex_rule(m, g);
-    out.usable = lanes_know(g, out.rule);
+    out.usable = why_not_on_lanes(g, out.rule).empty();
     if (!out.usable) return;
     const std::size_t n = g.mesh.positions.size();
     for (std::size_t k = 0; k < 4; ++k)

@@ -7,6 +7,7 @@
 #include "bench/draw/drawing.hpp"
 #include "bench/draw/machine.hpp"
 #include "bench/draw/report.hpp"
+#include "raster/vector_width.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
 #include "texunit/number_text.hpp"
@@ -182,6 +183,7 @@ int main(int argc, char** argv) {
     twofold::bench::declare(app, options);
     CLI11_PARSE(app, argc, argv);
     try {
+        if (const char* widest = std::getenv("TWOFOLD_SIMD")) twofold::limit_vectors(widest);
         return static_cast<int>(twofold::bench::run(options));
     } catch (const twofold::Error& error) {
         std::cerr << "bench_draw: " << error.what() << "\n";

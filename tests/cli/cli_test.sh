@@ -103,6 +103,17 @@ expect 0 "bit-exact to preset nv17 v1" "$twofold" explain --preset nv17
 expect 0 '"mark"' "$twofold" explain --preset gl13 --json
 expect 0 "reflection_map" "$twofold" explain "$lobe" -D image.width=64 -D image.height=64
 expect 2 "either a scene or --preset" "$twofold" explain
+expect 0 "fragments on vectors; fused: shares vertices and set-up" "$twofold" explain "$lobe" \
+    -D image.width=64 -D image.height=64
+expect 0 "not fused with the pass before: other matrices" "$twofold" explain "$scenes/two-passes.json" \
+    -D passes.1.cull=front
+expect 0 "one by one: texture unit 0: an environment other" "$twofold" explain "$scenes/two-passes.json" \
+    -D passes.0.units.0.env.mode=decal
+expect 0 '"fused": ' "$twofold" explain "$scenes/two-passes.json" --json
+expect 0 "alpha test" "$twofold" explain "$lobe" --cost "${small[@]}"
+expect 0 '"percent"' "$twofold" explain "$scenes/two-passes.json" --cost --json -D image.width=64 -D image.height=64
+holds "explain --cost --json is JSON" python3 -m json.tool "$work/output"
+expect 2 "either a scene or --preset" "$twofold" explain --cost
 
 # Bad input names file, field and value
 expect 4 "missing.json" "$twofold" run "$work/missing.json" -o "$work/x"

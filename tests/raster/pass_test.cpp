@@ -50,3 +50,17 @@ TEST_CASE("a state draws as its normal form does", "[pass]") {
     for (const Preset preset : all_presets)
         CHECK(render_reference(wordy, preset).bytes == render_reference(plain, preset).bytes);
 }
+
+TEST_CASE("a scissor around the picture and dither of 8-bit channels cannot change a pixel of a frame",
+          "[pass]") {
+    PassState state;
+    state.scissor = Scissor{-3, 0, 11, 8};
+    state.dither = true;
+    Frame frame;
+    frame.width = frame.height = 8;
+    frame.color_format = ColorFormat::xrgb8888_o;
+    CHECK(normalized(frame, {state, 0}) == PassState{});
+    frame.width = 9;
+    frame.color_format = ColorFormat::rgb565;
+    CHECK(normalized(frame, {state, 0}) == state);
+}

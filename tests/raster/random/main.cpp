@@ -1,11 +1,14 @@
 // The proof that the fast pipeline gives the reference's bytes, on random states:
-//   fast_equals_reference [--seed S] [--first N] [--count M] [--all-options] [--trace] [-o DIR]
+//   fast_equals_reference [--seed S] [--first N] [--count M] [--all-options] [--simd WIDTH] [--trace]
+//                         [-o DIR]
 // Exit code 0 only if every byte and every bit of every value is the same.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "raster/lanes.hpp"
+#include "raster/vector_width.hpp"
 #include "tests/raster/random/proof.hpp"
 
 namespace {
@@ -21,6 +24,7 @@ struct Settings {
     bool trace = false;
     std::uint64_t most_failures = 10;
     std::string folder = "fast_failures";
+    std::string simd;  ///< empty: as wide as the processor has them
 };
 
 struct Totals {
@@ -79,6 +83,7 @@ Settings parsed(int argc, char** argv, CLI::App& app) {
     app.add_option("--most-failures", s.most_failures, "stop after so many");
     app.add_flag("--all-options", s.all_options, "threads 1, 2, 7 x fused or not for every state");
     app.add_flag("--trace", s.trace, "print each state's number before it is drawn");
+    app.add_option("--simd", s.simd, "vectors at most so wide: baseline, sse4, avx2, avx3");
     app.add_option("-o", s.folder, "where failing states are written as scenes");
     app.parse(argc, argv);
     return s;
@@ -92,7 +97,8 @@ void print(const Totals& totals) {
     for (const auto& [preset, n] : totals.states) fmt::print(" {} {}", preset, n);
     fmt::print("; {} triangles, {} fragments, {} written, {} pictures with none\n",
                totals.triangles, totals.fragments, totals.written, totals.empty);
-    fmt::print("{} states differ from the reference\n", totals.failures);
+    fmt::print("{} states differ from the reference ({})\n", totals.failures,
+               lanes::instruction_set());
 }
 
 }  // namespace
@@ -101,6 +107,7 @@ int main(int argc, char** argv) {
     CLI::App app("fast pipeline against the reference on random states");
     try {
         const Settings settings = parsed(argc, argv, app);
+        if (!settings.simd.empty()) limit_vectors(settings.simd);
         Totals totals;
         for (std::uint64_t i = 0; i < settings.count; ++i)
             if (totals.failures < settings.most_failures)

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <type_traits>
-
-#include "raster/lane_image.hpp"
-#include "raster/pass_group.hpp"
+#include "raster/fast_plan.hpp"
 #include "raster/reference.hpp"
 #include "tests/raster/random/shrink.hpp"
 #include "tests/raster/random/state_scene.hpp"
-#include "texunit/presets.hpp"
+#include "texunit/error.hpp"
 
 namespace twofold::test {
 namespace {
@@ -74,18 +71,16 @@ Framebuffer by_fast(const RandomState& state) {
 }
 
 FastShare fast_share(const RandomState& state) {
-    const Frame& frame = state.frame;
     FastShare share;
-    share.joined = frame.passes.size() - group_passes(frame, state.options.fuse).size();
-    with_model(state.preset, state.custom, [&](const auto& m) {
-        using M = std::decay_t<decltype(m)>;
-        std::vector<UploadedTexture<M>> textures;
-        for (const Texture& t : frame.textures) textures.push_back(upload(m, t));
-        const UploadedTexture<M> white = white_texture(m);
-        for (const Pass& pass : frame.passes)
-            if (lanes_know<M>(twofold::bind(m, normalized(pass.state), textures, white)))
-                ++share.by_vectors;
-    });
+    try {
+        const auto routes =
+            fast_routes(state.frame, state.preset, state.custom, state.options.fuse);
+        for (const FastRoute& route : routes)
+            share.by_vectors += route.scalar_fragments.empty() ? 1u : 0u;
+        share.joined = routes.empty() ? 0 : routes.size() - routes.back().group - 1;
+    } catch (const Error&) {
+        // Neither pipeline draws such a frame.
+    }
     return share;
 }
 
