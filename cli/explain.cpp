@@ -43,23 +43,21 @@ void print_table(Preset preset) {
     fmt::print("\n{}\n", exactness_sentence(preset));
 }
 
-/// A lighting function that stands for one not yet factored: one texel a face, scale 1.
-FactoredLighting stand_in(std::size_t terms) {
+/// A lighting function that stands for one not yet factored: one white texel a face, scale 1.
+FactoredLighting stand_in(const FactorSettings& settings) {
+    const MapShape shape{1, settings.guard, settings.map_form};
+    const NormalisedChannel white = white_channel(shape);
     ProductTerm term;
-    for (FactorMap* map : {&term.t1, &term.t2})
-        for (std::size_t face = 0; face < 2; ++face) {
-            map->real[face] = {1, 1, std::vector<Rgba32f>{{1.0f, 1.0f, 1.0f, 1.0f}}};
-            map->bytes[face] = {1, 1, std::vector<Rgba8>{{255, 255, 255, 255}}};
-        }
+    term.t1 = term.t2 = make_factor_map({white, white, white}, shape, "stand-in");
     FactoredLighting lighting;
-    lighting.terms.assign(terms, term);
+    lighting.terms.assign(static_cast<std::size_t>(settings.terms), term);
     return lighting;
 }
 
 Frame explained_frame(const Scene& scene) {
     FactoredMaterials materials;
     for (const FactoredObject& object : scene.objects)
-        materials[object.material] = stand_in(static_cast<std::size_t>(scene.factorization.terms));
+        materials[object.material] = stand_in(scene.factorization);
     return make_frame(scene, load_assets(scene), materials, scene.presets.front());
 }
 

@@ -22,7 +22,7 @@ enum class CookTorranceConstant { pi1981, modern4 };
 struct CookTorrance {
     Rgb diffuse{0.0};   ///< d rho, albedo of the diffuse part
     Rgb specular{1.0};  ///< s
-    Rgb f0{0.04};       ///< Fresnel reflectance at normal incidence, 0 <= f0 < 1; eta follows from it
+    Rgb f0{0.04};  ///< Fresnel reflectance at normal incidence, 0 <= f0 < 1; eta follows from it
     std::vector<BeckmannLobe> lobes{BeckmannLobe{}};
     CookTorranceConstant constant = CookTorranceConstant::pi1981;
 };
@@ -30,8 +30,8 @@ struct CookTorrance {
 /// f = diffuse / pi + specular (N + 2) / (2 pi) max(0, r_v.l)^N.
 /// @source Lafortune & Willems, Using the Modified Phong Reflectance Model, 1994
 struct ModifiedPhong {
-    Rgb diffuse{0.5};       ///< k_d
-    Rgb specular{0.5};      ///< k_s; k_d + k_s <= 1 conserves energy
+    Rgb diffuse{0.5};        ///< k_d
+    Rgb specular{0.5};       ///< k_s; k_d + k_s <= 1 conserves energy
     double exponent = 50.0;  ///< N >= 0
 };
 

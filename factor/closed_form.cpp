@@ -13,7 +13,7 @@ namespace {
 std::vector<Vec3> texel_directions(const MapShape& shape) {
     std::vector<Vec3> directions;
     for (std::size_t j = 0; j < shape.texels(); ++j)
-        directions.push_back(texel_direction(texel_at(j, shape), shape.size, shape.guard));
+        directions.push_back(texel_direction(texel_at(j, shape), shape));
     return directions;
 }
 
@@ -102,7 +102,7 @@ std::optional<FactoredLighting> closed_form(const Brdf& brdf, const DistantLight
                                             const LightingSamples& held_out,
                                             const FactorSettings& settings, double white,
                                             int threads) {
-    const MapShape shape{settings.map_size, settings.guard};
+    const MapShape shape = shape_of(settings);
     if (is_diffuse(brdf)) {
         FactoredLighting result = finished(diffuse_product(brdf, lights, shape, threads), "diffuse",
                                            held_out, settings, white);

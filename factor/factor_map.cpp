@@ -16,15 +16,14 @@ namespace {
 void require_finite(double value, std::size_t index, const MapShape& shape,
                     const std::string& name) {
     if (std::isfinite(value)) return;
-    const ParaboloidTexel texel = texel_at(index, shape);
+    const MapTexel texel = texel_at(index, shape);
     throw Error(ExitCode::failure,
                 fmt::format("factor {}: texel ({}, {}) of the {} face is {}", name, texel.x,
-                            texel.y, texel.face == Face::front ? "front" : "back", value));
+                            texel.y, face_name(texel.face, shape.form), value));
 }
 
 bool is_opaque(std::size_t index, const MapShape& shape) {
-    const ParaboloidTexel texel = texel_at(index, shape);
-    return texel_is_opaque(texel.x, texel.y, shape.size, shape.guard);
+    return is_opaque(texel_at(index, shape), shape);
 }
 
 Rgba32f real_texel(const std::array<double, 3>& rgb, bool opaque) {
@@ -35,6 +34,17 @@ Rgba32f real_texel(const std::array<double, 3>& rgb, bool opaque) {
 Rgba8 byte_texel(const std::array<double, 3>& rgb, bool opaque) {
     return {to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2]),
             opaque ? std::uint8_t{255} : std::uint8_t{0}};
+}
+
+/// The faces as textures: paraboloids one each, a cube's in one.
+std::vector<Texture> textures_of(std::vector<Texels> faces, const MapShape& shape) {
+    std::vector<Texture> textures;
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        if (face == 0 || shape.form == MapForm::dual_paraboloid)
+            textures.push_back({shape.size, shape.size, std::move(faces[face])});
+        else
+            textures[0].cube_faces.push_back({shape.size, shape.size, std::move(faces[face])});
+    return textures;
 }
 
 }  // namespace
@@ -89,7 +99,8 @@ NormalisedChannel black_channel(const MapShape& shape) {
 FactorMap make_factor_map(const std::array<NormalisedChannel, 3>& channels, const MapShape& shape,
                           const std::string& name) {
     FactorMap map{shape, {}, {}, {}};
-    for (std::size_t face = 0; face < 2; ++face) {
+    std::vector<Texels> reals, byte_faces;
+    for (std::size_t face = 0; face < shape.faces(); ++face) {
         std::vector<Rgba32f> real(shape.face_texels());
         std::vector<Rgba8> bytes(shape.face_texels());
         for (std::size_t i = 0; i < shape.face_texels(); ++i) {
@@ -102,14 +113,26 @@ FactorMap make_factor_map(const std::array<NormalisedChannel, 3>& channels, cons
             real[i] = real_texel(rgb, is_opaque(j, shape));
             bytes[i] = byte_texel(rgb, is_opaque(j, shape));
         }
-        map.real[face] = {shape.size, shape.size, std::move(real)};
-        map.bytes[face] = {shape.size, shape.size, std::move(bytes)};
+        reals.emplace_back(std::move(real));
+        byte_faces.emplace_back(std::move(bytes));
     }
+    map.real = textures_of(std::move(reals), shape);
+    map.bytes = textures_of(std::move(byte_faces), shape);
     for (std::size_t c = 0; c < 3; ++c) {
         map.loss[c] = byte_loss(channels[c].texel, shape);
         map.loss[c].clipped_share = channels[c].clipped_share;
     }
     return map;
+}
+
+std::vector<Texture> faces_of(const std::vector<Texture>& images) {
+    std::vector<Texture> faces;
+    for (const Texture& image : images) {
+        faces.push_back({image.width, image.height, image.texels});
+        for (const TextureFace& face : image.cube_faces)
+            faces.push_back({face.width, face.height, face.texels});
+    }
+    return faces;
 }
 
 ByteLoss byte_loss(std::span<const double> texels, const MapShape& shape) {
@@ -128,6 +151,12 @@ ByteLoss byte_loss(std::span<const double> texels, const MapShape& shape) {
 
 std::uint8_t to_byte(double x) {
     return static_cast<std::uint8_t>(to_fixed_half_up(255.0 * x, 0, 255));
+}
+
+const char* face_name(std::size_t face, MapForm form) {
+    constexpr std::array paraboloids{"front", "back"};
+    constexpr std::array cube{"px", "nx", "py", "ny", "pz", "nz"};
+    return form == MapForm::cube ? cube[face] : paraboloids[face];
 }
 
 const char* channel_name(std::size_t channel) {

@@ -15,7 +15,7 @@ namespace twofold {
 
 /// One channel of a factor: exp(x) divided by its maximum.
 struct NormalisedChannel {
-    std::vector<double> texel;   ///< in [0, 1], 2 R^2 of them; all 0 for a black channel
+    std::vector<double> texel;   ///< in [0, 1], one a texel; all 0 for a black channel
     double log_maximum = 0.0;    ///< logarithm of what was divided by
     double clipped_share = 0.0;  ///< share of the texels with alpha 1 that were lowered to 1
 };
@@ -46,12 +46,12 @@ struct ByteLoss {
     double clipped_share = 0.0;  ///< share of texels that were lowered to the largest
 };
 
-/// A factor as texture images, [0] the front face and [1] the back. Alpha is the binary disc of
-/// texel_is_opaque(); colours go on beyond it.
+/// A factor as textures: [0] the front paraboloid and [1] the back, or one cube map. Alpha is that
+/// of is_opaque(); colours go on beyond it.
 struct FactorMap {
     MapShape shape;
-    std::array<Texture, 2> real;   ///< Rgba32f in [0, 1]
-    std::array<Texture, 2> bytes;  ///< Rgba8, each rounded once from binary64: floor(255 T + 1/2)
+    std::vector<Texture> real;     ///< Rgba32f in [0, 1]
+    std::vector<Texture> bytes;    ///< Rgba8, each rounded once from binary64: floor(255 T + 1/2)
     std::array<ByteLoss, 3> loss;  ///< by channel
 };
 
@@ -60,11 +60,17 @@ struct FactorMap {
 FactorMap make_factor_map(const std::array<NormalisedChannel, 3>& channels, const MapShape& shape,
                           const std::string& name);
 
+/// The faces of the images one by one: those of a cube map are parted.
+std::vector<Texture> faces_of(const std::vector<Texture>& images);
+
 /// The loss of one channel in 8 bits.
 ByteLoss byte_loss(std::span<const double> texels, const MapShape& shape);
 
 /// floor(255 x + 1/2) in 0..255.
 std::uint8_t to_byte(double x);
+
+/// "front" and "back", or "px", "nx", "py", "ny", "pz", "nz".
+const char* face_name(std::size_t face, MapForm form);
 
 /// "red", "green" or "blue".
 const char* channel_name(std::size_t channel);

@@ -129,7 +129,7 @@ void put_error(ChannelFit& fit, const FitError& error) {
 /// What the samples and the settings let one expect, before any channel is looked at.
 std::vector<std::string> sample_warnings(const LightingSamples& fit,
                                          const FactorSettings& settings) {
-    const MapShape shape{settings.map_size, settings.guard};
+    const MapShape shape = shape_of(settings);
     const std::size_t unknowns = 2 * shape.texels();
     if (fit.at.size() >= wanted_samples_per_unknown * unknowns) return {};
     return {fmt::format("{} samples for {} unknowns: fewer than {} an unknown", fit.at.size(),
@@ -219,7 +219,7 @@ std::span<const PairFootprint> first_pairs(const std::vector<PairFootprint>& pai
 FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
                            std::array<ChannelFit, 3> fit, const LightingSamples& judged,
                            const FactorSettings& settings, double white) {
-    const MapShape shape{settings.map_size, settings.guard};
+    const MapShape shape = shape_of(settings);
     const std::vector<PairFootprint> pairs = footprints_of(judged.at, shape);
     FactoredLighting result;
     result.white = white;

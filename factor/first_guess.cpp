@@ -44,7 +44,7 @@ double fill(Vec3 direction, const std::vector<Known>& known, double power) {
 std::size_t fill_map(Vector& x, const Vector& weight, std::size_t first, const MapShape& shape,
                      double power, int threads) {
     const auto direction = [&](std::size_t j) {
-        return texel_direction(texel_at(j, shape), shape.size, shape.guard);
+        return texel_direction(texel_at(j, shape), shape);
     };
     std::vector<Known> known;
     std::vector<std::size_t> untouched;

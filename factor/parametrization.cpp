@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "texunit/cube_map.hpp"
 #include "texunit/fixed.hpp"
 
 namespace twofold {
@@ -21,12 +22,37 @@ Taps taps_of(double coordinate, int size) {
     return {to_fixed(whole, 0, size - 1), to_fixed(whole + 1.0, 0, size - 1), position - whole};
 }
 
+/// Where a direction lies: the face and the texture coordinates there.
+struct MapPoint {
+    std::size_t face;
+    Vec2 st;
+};
+
+MapPoint point_of(Vec3 d, const MapShape& shape) {
+    if (shape.form == MapForm::dual_paraboloid) {
+        const ParaboloidPoint point = to_paraboloid(d, shape.guard);
+        return {static_cast<std::size_t>(point.face), point.st};
+    }
+    const ProjectiveCoordinates<double> direction{d.x, d.y, d.z, 1.0};
+    const CubeFace face = cube_face(direction);
+    const auto on = on_face(face, direction);
+    return {static_cast<std::size_t>(face), {on.s / on.q, on.t / on.q}};
+}
+
+ParaboloidTexel on_paraboloid(const MapTexel& texel) {
+    return {texel.face == 0 ? Face::front : Face::back, texel.x, texel.y};
+}
+
+bool outside(const MapTexel& texel, int size) {
+    return texel.x < 0 || texel.y < 0 || texel.x >= size || texel.y >= size;
+}
+
 }  // namespace
 
 Vec3 pi_2(const SurfaceView& at) { return 2.0 * dot(at.n, at.v) * at.n - at.v; }
 
 TexelFootprint footprint_of(Vec3 d, const MapShape& shape) {
-    const ParaboloidPoint point = to_paraboloid(d, shape.guard);
+    const MapPoint point = point_of(d, shape);
     const Taps x = taps_of(point.st.x, shape.size);
     const Taps y = taps_of(point.st.y, shape.size);
     const auto index = [&](int column, int row) {
@@ -38,16 +64,44 @@ TexelFootprint footprint_of(Vec3 d, const MapShape& shape) {
              (1.0 - x.fraction) * y.fraction, x.fraction * y.fraction}};
 }
 
-ParaboloidTexel texel_at(std::size_t index, const MapShape& shape) {
+MapTexel texel_at(std::size_t index, const MapShape& shape) {
     const std::size_t in_face = index % shape.face_texels();
     const auto size = static_cast<std::size_t>(shape.size);
-    return {index < shape.face_texels() ? Face::front : Face::back,
-            static_cast<int>(in_face % size), static_cast<int>(in_face / size)};
+    return {index / shape.face_texels(), static_cast<int>(in_face % size),
+            static_cast<int>(in_face / size)};
 }
 
-std::uint32_t texel_index(const ParaboloidTexel& texel, const MapShape& shape) {
-    const int row = (texel.face == Face::front ? 0 : shape.size) + texel.y;
+std::uint32_t texel_index(const MapTexel& texel, const MapShape& shape) {
+    const int row = static_cast<int>(texel.face) * shape.size + texel.y;
     return static_cast<std::uint32_t>(row * shape.size + texel.x);
+}
+
+Vec3 texel_direction(const MapTexel& texel, const MapShape& shape) {
+    if (shape.form == MapForm::dual_paraboloid)
+        return texel_direction(on_paraboloid(texel), shape.size, shape.guard);
+    const Vec2 st{(texel.x + 0.5) / shape.size, (texel.y + 0.5) / shape.size};
+    return normalized(from_cube(static_cast<CubeFace>(texel.face), st));
+}
+
+bool within_face(const MapTexel& texel, const MapShape& shape) {
+    return shape.form == MapForm::cube ||
+           texel_radius(texel.x, texel.y, shape.size, shape.guard) <= 1.0;
+}
+
+bool is_opaque(const MapTexel& texel, const MapShape& shape) {
+    return shape.form == MapForm::cube ||
+           texel_is_opaque(texel.x, texel.y, shape.size, shape.guard);
+}
+
+std::optional<MapTexel> beside(const MapTexel& texel, int columns, int rows,
+                               const MapShape& shape) {
+    const MapTexel next{texel.face, texel.x + columns, texel.y + rows};
+    if (!outside(next, shape.size)) return next;
+    if (shape.form == MapForm::dual_paraboloid) return std::nullopt;
+    // One step past the edge the plane of the face is nearest to its neighbour's texel.
+    const MapPoint point = point_of(texel_direction(next, shape), shape);
+    return MapTexel{point.face, to_fixed(std::floor(point.st.x * shape.size), 0, shape.size - 1),
+                    to_fixed(std::floor(point.st.y * shape.size), 0, shape.size - 1)};
 }
 
 double filtered(std::span<const double> texels, const TexelFootprint& footprint) {

@@ -2,27 +2,43 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "factor/samples.hpp"
+#include "factor/settings.hpp"
 #include "texunit/paraboloid.hpp"
 
 /// The two parametrisations of the model L_o(v, n) ~ t1(pi_1) t2(pi_2), and what a direction
-/// touches in a factor map. A map is two paraboloid faces of R x R texels; its texels, the
-/// unknowns, are numbered face * R^2 + y * R + x, front face first, row 0 at t = 0.
-/// @source seed paper, equation 5 and section 3.1
+/// touches in a factor map. A map is two paraboloid or six cube faces of R x R texels; its texels,
+/// the unknowns, are numbered face * R^2 + y * R + x, row 0 at t = 0, the front paraboloid first
+/// and cube faces in OpenGL's order.
+/// @source seed paper, equation 5 and section 3.1; cube maps: OpenGL 1.3, table 3.20
 namespace twofold {
 
 /// The shape of a factor map.
 struct MapShape {
     int size = 64;         ///< R
-    double guard = 0.875;  ///< g
+    double guard = 0.875;  ///< g, of paraboloids
+    MapForm form = MapForm::dual_paraboloid;
 
-    std::size_t texels() const { return 2 * face_texels(); }
+    std::size_t faces() const { return form == MapForm::cube ? 6 : 2; }
+    std::size_t texels() const { return faces() * face_texels(); }
     std::size_t face_texels() const {
         return static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     }
     bool operator==(const MapShape&) const = default;
+};
+
+/// The shape that settings ask for.
+inline MapShape shape_of(const FactorSettings& settings) {
+    return {settings.map_size, settings.guard, settings.map_form};
+}
+
+/// One texel of a map.
+struct MapTexel {
+    std::size_t face = 0;
+    int x = 0, y = 0;
 };
 
 /// The four texels of a bilinear look-up in the order (x0, y0), (x1, y0), (x0, y1), (x1, y1), and
@@ -42,10 +58,23 @@ Vec3 pi_2(const SurfaceView& at);
 TexelFootprint footprint_of(Vec3 d, const MapShape& shape);
 
 /// The texel with a number.
-ParaboloidTexel texel_at(std::size_t index, const MapShape& shape);
+MapTexel texel_at(std::size_t index, const MapShape& shape);
 
 /// Number of a texel.
-std::uint32_t texel_index(const ParaboloidTexel& texel, const MapShape& shape);
+std::uint32_t texel_index(const MapTexel& texel, const MapShape& shape);
+
+/// The unit vector of a texel's centre.
+Vec3 texel_direction(const MapTexel& texel, const MapShape& shape);
+
+/// Whether a texel's direction belongs to its own face; a paraboloid has texels beyond its rim.
+bool within_face(const MapTexel& texel, const MapShape& shape);
+
+/// Whether a texel's binary alpha is 1: texel_is_opaque() of paraboloids, all of a cube's.
+bool is_opaque(const MapTexel& texel, const MapShape& shape);
+
+/// The texel a step of one column or row away, or none past the edge of a paraboloid. Past the edge
+/// of a cube's face it is the one across the edge.
+std::optional<MapTexel> beside(const MapTexel& texel, int columns, int rows, const MapShape& shape);
 
 /// The map's value under a footprint: weights times texels, left to right.
 double filtered(std::span<const double> texels, const TexelFootprint& footprint);

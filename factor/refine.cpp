@@ -176,9 +176,9 @@ std::vector<Vec3> bright_directions(std::span<const double> logs, std::size_t co
         double best = -1.0;
         Vec3 direction{0.0, 0.0, 1.0};
         for (std::size_t j = 0; j < logs.size(); ++j) {
-            const ParaboloidTexel texel = texel_at(j, shape);
-            if (texel_radius(texel.x, texel.y, shape.size, shape.guard) > 1.0) continue;
-            const Vec3 d = texel_direction(texel, shape.size, shape.guard);
+            const MapTexel texel = texel_at(j, shape);
+            if (!within_face(texel, shape)) continue;
+            const Vec3 d = texel_direction(texel, shape);
             double away = 2.0;
             for (const Vec3 other : found) away = min(away, 1.0 - dot(d, other));
             const double value = exact::exp(logs[j]) * away * away;
@@ -233,7 +233,7 @@ Vector divided_terms(const Vector& x, std::size_t terms, const MapShape& shape) 
     Vector all;
     for (std::size_t k = 0; k < terms; ++k) all.insert(all.end(), x.begin(), x.end());
     for (std::size_t j = 0; j < shape.texels(); ++j) {
-        const Vec3 d = texel_direction(texel_at(j, shape), shape.size, shape.guard);
+        const Vec3 d = texel_direction(texel_at(j, shape), shape);
         double total = 0.0;
         for (const Vec3 c : centres) total += exact::exp(sharpness * dot(d, c));
         for (std::size_t k = 0; k < terms; ++k)

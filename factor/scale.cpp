@@ -103,7 +103,7 @@ Choice best_choice(const std::array<ChannelProduct, 3>& channels, Rgb c, const M
 ScaledProduct best_split(const std::array<ChannelProduct, 3>& channels,
                          const FactorSettings& settings, Rgb c,
                          std::span<const PairFootprint> pairs) {
-    const MapShape shape{settings.map_size, settings.guard};
+    const MapShape shape = shape_of(settings);
     ScaledProduct result{channels, c, {}};
     Choice best{{}, std::numeric_limits<double>::infinity()};
     for (const int k : {1, 2, 4, 8}) {
@@ -172,7 +172,7 @@ ScaleSplit with_doubling(ScaleSplit split, int doubling_passes) {
 ScaledProduct scaled_product(const std::array<ChannelProduct, 3>& channels,
                              const FactorSettings& settings, double white,
                              std::span<const PairFootprint> pairs) {
-    const MapShape shape{settings.map_size, settings.guard};
+    const MapShape shape = shape_of(settings);
     Rgb c{0.0};
     for (std::size_t i = 0; i < 3; ++i) c[static_cast<int>(i)] = constant_of(channels[i], white);
     ScaledProduct result{channels, c, split_scale(c)};

@@ -10,6 +10,9 @@ enum class Solver { qmr, lsmr, cgls, qmr_augmented };
 /// it work.
 enum class Method { letter, paper, best };
 
+/// The images that a factor map is: two paraboloids, or the six faces of a cube map.
+enum class MapForm { dual_paraboloid, cube };
+
 /// What a map is divided by before it is stored (factor/scale.hpp).
 enum class ScaleRule { maximum, percentile, best_split };
 
@@ -17,8 +20,9 @@ enum class ScaleRule { maximum, percentile, best_split };
 /// Defaults are those of the method preset `paper`.
 struct FactorSettings {
     Method method = Method::paper;
-    int map_size = 64;     ///< R: texels along the edge of one paraboloid face
-    double guard = 0.875;  ///< g: disc radius in units of half the map's edge, 0 < g <= 1
+    MapForm map_form = MapForm::dual_paraboloid;
+    int map_size = 64;     ///< R: texels along the edge of one face
+    double guard = 0.875;  ///< g: a paraboloid's disc over half the map's edge, 0 < g <= 1
     int samples = 200000;  ///< S: (v, n) pairs of the fit
     int held_out = 20000;  ///< (v, n) pairs of the error figures, none of them in the fit
     Solver solver = Solver::qmr;

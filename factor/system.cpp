@@ -53,34 +53,44 @@ void add_view_rows(RowBuilder& builder, std::size_t first_column, int knots, dou
     }
 }
 
-/// scale (x_j - mean of the neighbours in the face) = 0.
+constexpr std::array<std::pair<int, int>, 4> steps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+/// scale (x_j - mean of the neighbours) = 0. A paraboloid's are those in the face.
 void add_smoothness_row(RowBuilder& builder, std::size_t index, const MapShape& shape,
                         std::size_t first_column, double scale) {
-    const ParaboloidTexel texel = texel_at(index, shape);
-    const auto column = [&](int x, int y) {
-        return static_cast<std::uint32_t>(first_column) + texel_index({texel.face, x, y}, shape);
+    const auto column = [&](const MapTexel& texel) {
+        return static_cast<std::uint32_t>(first_column) + texel_index(texel, shape);
     };
+    const MapTexel texel = texel_at(index, shape);
     std::array<MatrixEntry, 5> row;
     std::size_t count = 0;
-    row[count++] = {column(texel.x, texel.y), scale};
-    if (texel.x > 0) row[count++].column = column(texel.x - 1, texel.y);
-    if (texel.x + 1 < shape.size) row[count++].column = column(texel.x + 1, texel.y);
-    if (texel.y > 0) row[count++].column = column(texel.x, texel.y - 1);
-    if (texel.y + 1 < shape.size) row[count++].column = column(texel.x, texel.y + 1);
+    row[count++] = {column(texel), scale};
+    for (const auto& [columns, rows] : steps)
+        if (const auto next = beside(texel, columns, rows, shape))
+            row[count++].column = column(*next);
     for (std::size_t k = 1; k < count; ++k) row[k].value = -scale / static_cast<double>(count - 1);
     builder.add(std::span(row).first(count));
 }
 
-/// scale (x_j - the other face's value in the direction of j) = 0, for texels beyond the rim.
-void add_seam_row(RowBuilder& builder, std::size_t index, const MapShape& shape,
-                  std::size_t first_column, double scale) {
-    const ParaboloidTexel texel = texel_at(index, shape);
-    if (texel_radius(texel.x, texel.y, shape.size, shape.guard) <= 1.0) return;
-    const Vec3 d = texel_direction(texel, shape.size, shape.guard);
-    std::array<MatrixEntry, 5> row;
-    row[0] = {static_cast<std::uint32_t>(first_column + index), scale};
-    put_footprint(std::span(row).last(4), footprint_of(d, shape), first_column, -scale);
-    builder.add(row);
+/// scale (x_j - the other face's value) = 0: of a paraboloid's texel beyond the rim, in its own
+/// direction; of a texel at the edge of a cube's face, that of the texel across, since a look-up
+/// stays on its face and shows both at the edge.
+void add_seam_rows(RowBuilder& builder, std::size_t index, const MapShape& shape,
+                   std::size_t first_column, double scale) {
+    const MapTexel texel = texel_at(index, shape);
+    const auto column = static_cast<std::uint32_t>(first_column + index);
+    if (!within_face(texel, shape)) {
+        std::array<MatrixEntry, 5> row;
+        row[0] = {column, scale};
+        put_footprint(std::span(row).last(4), footprint_of(texel_direction(texel, shape), shape),
+                      first_column, -scale);
+        builder.add(row);
+    }
+    for (const auto& [columns, rows] : steps)
+        if (const auto next = beside(texel, columns, rows, shape); next && next->face != texel.face)
+            builder.add(std::array<MatrixEntry, 2>{
+                {{column, scale},
+                 {static_cast<std::uint32_t>(first_column) + texel_index(*next, shape), -scale}}});
 }
 
 template <class AddRow>
@@ -127,7 +137,7 @@ std::size_t count_finite(std::span<const double> radiance) {
 }  // namespace
 
 LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings) {
-    const MapShape shape{settings.map_size, settings.guard};
+    const MapShape shape = shape_of(settings);
     const auto texels = static_cast<double>(shape.texels());
     const double scale = settings.smoothness * std::sqrt(static_cast<double>(at.size()) / texels);
     // The seam rows are scaled from the same k; where there is no smoothness they stand by
@@ -141,7 +151,7 @@ LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings
     });
     add_rows_of_both_maps(shape, settings.seam * seam_base,
                           [&](std::size_t j, std::size_t first, double k) {
-                              add_seam_row(builder, j, shape, first, k);
+                              add_seam_rows(builder, j, shape, first, k);
                           });
     const auto knots = static_cast<std::size_t>(settings.view_knots);
     add_view_rows(builder, 2 * shape.texels(), settings.view_knots,

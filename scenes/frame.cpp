@@ -73,24 +73,30 @@ PassState object_state(const FrameBuilder& b, const FactoredObject& object) {
     return state;
 }
 
-/// Adds the four images of a product; the result is the index of t1's front, followed by t1's back,
-/// t2's front and t2's back.
+/// Adds the images of a product; the result is the index of t1's first, t2's follow: the front and
+/// the back of each, or a cube map each.
 std::size_t add_factor_textures(Frame& frame, const ProductTerm& term, bool as_float) {
     const std::size_t first = frame.textures.size();
     for (const FactorMap* map : {&term.t1, &term.t2})
-        for (std::size_t face = 0; face < 2; ++face)
-            frame.textures.push_back(as_float ? map->real[face] : map->bytes[face]);
+        for (const Texture& image : as_float ? map->real : map->bytes)
+            frame.textures.push_back(image);
     return first;
 }
 
-/// A unit that looks a factor up on one face. Its vector arrives in eye space: the inverse of the
-/// view's rotation takes it back to the world.
-TextureUnitState factor_unit(const FrameBuilder& b, TexGen texgen, std::size_t texture, Face face) {
+/// A unit that looks a factor up in its cube map, or on one paraboloid: the first image or the
+/// second. Its vector arrives in eye space: the inverse of the view's rotation takes it back to the
+/// world.
+TextureUnitState factor_unit(const FrameBuilder& b, TexGen texgen, std::size_t first,
+                             std::size_t image, const MapShape& shape) {
     TextureUnitState unit;
-    unit.texture = texture;
+    unit.texture = first + image;
     unit.texgen = texgen_all(texgen);
-    unit.matrix =
-        paraboloid_matrix(face, b.scene.factorization.guard) * Mat4{glm::transpose(Mat3{b.view})};
+    unit.matrix = Mat4{glm::transpose(Mat3{b.view})};
+    if (shape.form == MapForm::cube)
+        unit.target = TextureTarget::cube_map;
+    else
+        unit.matrix =
+            paraboloid_matrix(image == 0 ? Face::front : Face::back, shape.guard) * unit.matrix;
     return unit;
 }
 
@@ -125,16 +131,18 @@ PlacedTerm place(FrameBuilder& b, const FactoredObject& object, const ProductTer
             term.view.empty() ? b.meshes.at(object.mesh) : add_viewed_mesh(b, object, term)};
 }
 
-/// One pass: one face of each map.
+/// One pass: one image of each map.
 PassState term_state(const FrameBuilder& b, const FactoredObject& object, const PlacedTerm& placed,
                      std::size_t i, std::size_t j) {
-    constexpr std::array faces{Face::front, Face::back};
+    const FactorMap& t1 = placed.term.t1;
     PassState state = object_state(b, object);
     state.color = Vec4{placed.term.scale_color, 1.0};
-    state.alpha_test = AlphaTest{CompareFunc::gequal, 1.0};
-    state.units[0] = factor_unit(b, TexGen::normal_map, placed.textures + i, faces[i]);
+    if (t1.shape.form == MapForm::dual_paraboloid)
+        state.alpha_test = AlphaTest{CompareFunc::gequal, 1.0};
+    state.units[0] = factor_unit(b, TexGen::normal_map, placed.textures, i, t1.shape);
     if (!placed.term.constant_t2)
-        state.units[1] = factor_unit(b, TexGen::reflection_map, placed.textures + 2 + j, faces[j]);
+        state.units[1] =
+            factor_unit(b, TexGen::reflection_map, placed.textures + t1.real.size(), j, t1.shape);
     std::optional<TextureUnitState>& last = state.units[placed.term.constant_t2 ? 0 : 1];
     last->env.rgb_scale = placed.term.combiner_scale;
     return state;
@@ -145,12 +153,13 @@ PassState term_state(const FrameBuilder& b, const FactoredObject& object, const 
 /// reaches past the rim, gives exactly 1 in every preset, so no pixel is lost at the seam and every
 /// pixel drawn has alpha 1. Further products are added right after the first of the same faces:
 /// where two passes overlap at the seam, the later one begins the sum anew. A t2 that is 1
-/// everywhere needs no faces.
+/// everywhere needs no faces. Cube maps hold all directions: one pass.
 void add_term_passes(FrameBuilder& b, const FactoredObject& object,
                      const std::vector<PlacedTerm>& placed) {
-    const std::size_t t2_faces = placed[0].term.constant_t2 ? 1 : 2;
-    for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t j = 0; j < t2_faces; ++j)
+    const std::size_t images = placed[0].term.t1.real.size();
+    const std::size_t t2_images = placed[0].term.constant_t2 ? 1 : images;
+    for (std::size_t i = 0; i < images; ++i)
+        for (std::size_t j = 0; j < t2_images; ++j)
             for (std::size_t k = 0; k < placed.size(); ++k) {
                 PassState state = term_state(b, object, placed[k], i, j);
                 if (k > 0) {
@@ -204,8 +213,11 @@ Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMa
     std::map<std::string, std::vector<std::size_t>> factor_textures;
     for (const FactoredObject& object : scene.objects) {
         const FactoredLighting& lighting = lighting_of(materials, object.material);
-        require_size(scene, "factorization.map_size", preset, TextureTarget::texture_2d,
-                     lighting.terms.at(0).t1.bytes[0]);
+        const FactorMap& t1 = lighting.terms.at(0).t1;
+        require_size(
+            scene, "factorization.map_size", preset,
+            t1.shape.form == MapForm::cube ? TextureTarget::cube_map : TextureTarget::texture_2d,
+            t1.bytes[0]);
         std::vector<std::size_t>& textures = factor_textures[object.material];
         for (std::size_t k = textures.size(); k < lighting.terms.size(); ++k)
             textures.push_back(

@@ -14,8 +14,8 @@ using FactoredMaterials = std::map<std::string, FactoredLighting>;
 bool samples_float_textures(Preset preset);
 
 /// The scene as passes: each object by the paper's four (front and back of t1 times front and back
-/// of t2, chosen by the alpha test) for each product of the sum, its doubling passes, the historical
-/// objects, then the explicit passes.
+/// of t2, chosen by the alpha test), or by one where the maps are cube maps, for each product of
+/// the sum, its doubling passes, the historical objects, then the explicit passes.
 /// @throws Error if a material that an object names was not factored, or if the preset's chip does
 /// not take a texture's size
 Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMaterials& materials,

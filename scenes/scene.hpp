@@ -100,7 +100,7 @@ struct HistoricalObject {
     std::string factors;        ///< the set's text file, relative to the scene file
     Vec3 light{0.0, 0.0, 1.0};  ///< towards the light, world space, not zero
     Rgb irradiance{1.0};
-    double diffuse = 5.0;   ///< the group's own display constants
+    double diffuse = 5.0;  ///< the group's own display constants
     double specular = 0.5;
     Vec3 translation{0.0};
     double scale = 1.0;
@@ -161,12 +161,12 @@ struct Scene {
     std::map<std::string, Brdf> materials;
     std::map<std::string, MeshSpec> meshes;
     std::map<std::string, TextureSpec> textures;
-    std::vector<FactoredObject> objects;  ///< drawn first, in order
+    std::vector<FactoredObject> objects;       ///< drawn first, in order
     std::vector<HistoricalObject> historical;  ///< drawn after the objects, in order
     std::vector<ScenePass> passes;             ///< drawn last, in order
-    std::vector<Preset> presets;          ///< at least one
-    CustomSettings custom;                ///< of the preset `custom`
-    std::string file{};                   ///< stands for the scene in error texts
+    std::vector<Preset> presets;               ///< at least one
+    CustomSettings custom;                     ///< of the preset `custom`
+    std::string file{};                        ///< stands for the scene in error texts
 };
 
 }  // namespace twofold

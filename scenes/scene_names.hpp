@@ -14,6 +14,9 @@ inline constexpr std::array solver_names{Named{"qmr", Solver::qmr}, Named{"lsmr"
                                          Named{"cgls", Solver::cgls},
                                          Named{"qmr_augmented", Solver::qmr_augmented}};
 
+inline constexpr std::array map_form_names{Named{"dual_paraboloid", MapForm::dual_paraboloid},
+                                           Named{"cube", MapForm::cube}};
+
 inline constexpr std::array scale_rule_names{Named{"maximum", ScaleRule::maximum},
                                              Named{"percentile", ScaleRule::percentile},
                                              Named{"best_split", ScaleRule::best_split}};

@@ -57,6 +57,7 @@ Json json_of(const WhitePoint& white) {
 
 Json json_of(const FactorSettings& settings) {
     return {{"method", name_in(method_names, settings.method)},
+            {"map_form", name_in(map_form_names, settings.map_form)},
             {"map_size", settings.map_size},
             {"guard", settings.guard},
             {"samples", settings.samples},

@@ -84,7 +84,7 @@ std::string hash_of(const Texture& texture) {
 
 std::string hash_of(const FactorMap& map) {
     return hex_hash([&](Fnv1a& hash) {
-        for (const Texture& face : map.bytes) feed_image(hash, byte_image(face));
+        for (const Texture& face : faces_of(map.bytes)) feed_image(hash, byte_image(face));
     });
 }
 

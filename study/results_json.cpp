@@ -57,7 +57,9 @@ Json lighting_json(const FactoredLighting& lighting) {
     Json channels = Json::array(), terms = Json::array();
     for (std::size_t c = 0; c < 3; ++c) channels.push_back(channel_json(c, lighting));
     for (const ProductTerm& term : lighting.terms) terms.push_back(term_json(term));
-    return {{"map_size", lighting.terms[0].t1.shape.size},
+    const bool cube = lighting.terms[0].t1.shape.form == MapForm::cube;
+    return {{"map_form", cube ? "cube" : "dual_paraboloid"},
+            {"map_size", lighting.terms[0].t1.shape.size},
             {"closed_form", lighting.closed_form},
             {"doubling_passes", lighting.doubling_passes},
             {"terms", terms},

@@ -111,9 +111,9 @@ void note_methods(RunResult& run) {
             run.notes.push_back(fmt::format("{}: in closed form ({}), nothing was fitted", name,
                                             lighting.closed_form));
         if (lighting.terms.size() > 1)
-            run.notes.push_back(
-                fmt::format("{}: {} products are added by the blender, 4 passes each", name,
-                            lighting.terms.size()));
+            run.notes.push_back(fmt::format(
+                "{}: {} products are added by the blender, {} each", name, lighting.terms.size(),
+                lighting.terms[0].t1.shape.form == MapForm::cube ? "a pass" : "4 passes"));
         if (!lighting.terms[0].view.empty())
             run.notes.push_back(
                 fmt::format("{}: g(n.v), {} knots, is multiplied into the vertex colours", name,

@@ -15,14 +15,13 @@
 namespace twofold {
 namespace {
 
-constexpr std::array<const char*, 2> face_names{"front", "back"};
-
 void write_factor_map(const FactorMap& map, const std::string& stem,
                       const std::filesystem::path& folder) {
-    for (std::size_t face = 0; face < 2; ++face) {
-        const std::string name = fmt::format("{}-{}", stem, face_names[face]);
-        write_file_atomically(folder / (name + ".exr"), encode_exr(float_image(map.real[face])));
-        write_file_atomically(folder / (name + ".png"), encode_png(byte_image(map.bytes[face])));
+    const std::vector<Texture> real = faces_of(map.real), bytes = faces_of(map.bytes);
+    for (std::size_t face = 0; face < real.size(); ++face) {
+        const std::string name = fmt::format("{}-{}", stem, face_name(face, map.shape.form));
+        write_file_atomically(folder / (name + ".exr"), encode_exr(float_image(real[face])));
+        write_file_atomically(folder / (name + ".png"), encode_png(byte_image(bytes[face])));
     }
 }
 
@@ -85,10 +84,10 @@ ReportMaterial report_material(const RunResult& run, const std::string& name,
     for (std::size_t k = 0; k < lighting.terms.size(); ++k)
         for (const auto& [label, map] :
              {std::pair{"t1", &lighting.terms[k].t1}, std::pair{"t2", &lighting.terms[k].t2}})
-            for (std::size_t face = 0; face < 2; ++face)
-                m.maps.push_back({fmt::format("{} {}", map_name(label, k), face_names[face]),
-                                  encode_png(byte_image(map->bytes[face])),
-                                  hash_of(map->bytes[face])});
+            for (std::size_t face = 0; const Texture& image : faces_of(map->bytes))
+                m.maps.push_back(
+                    {fmt::format("{} {}", map_name(label, k), face_name(face++, map->shape.form)),
+                     encode_png(byte_image(image)), hash_of(image)});
     return m;
 }
 

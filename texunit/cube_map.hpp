@@ -59,6 +59,27 @@ ProjectiveCoordinates<Real> on_face(CubeFace face, const ProjectiveCoordinates<R
     return over_face(-x, -y, z);
 }
 
+/// The direction of a point of a face, |ma| = 1; past the edge the face's plane runs on.
+/// @source OpenGL 1.3, table 3.20, solved for the direction
+constexpr Vec3 from_cube(CubeFace face, Vec2 st) {
+    const double sc = 2.0 * st.x - 1.0, tc = 2.0 * st.y - 1.0;
+    switch (face) {
+        case CubeFace::positive_x:
+            return {1.0, -tc, -sc};
+        case CubeFace::negative_x:
+            return {-1.0, -tc, sc};
+        case CubeFace::positive_y:
+            return {sc, 1.0, tc};
+        case CubeFace::negative_y:
+            return {sc, -1.0, -tc};
+        case CubeFace::positive_z:
+            return {sc, -tc, 1.0};
+        case CubeFace::negative_z:
+            break;
+    }
+    return {-sc, -tc, -1.0};
+}
+
 /// Lookups stay on their face, whose edge the unit's wrap modes treat as that of any image.
 /// @source OpenGL 1.3, 3.8.6: "using the rules given in sections 3.8.7 and 3.8.8"
 constexpr Addressing cube_addressing(const TextureUnitState& unit) {

@@ -102,6 +102,7 @@ expect 2 "" "$twofold" compare "$work/a/exact.exr" "$work/a/gl13.exr"
 expect 0 "bit-exact to preset nv17 v1" "$twofold" explain --preset nv17
 expect 0 '"mark"' "$twofold" explain --preset gl13 --json
 expect 0 "reflection_map" "$twofold" explain "$lobe" -D image.width=64 -D image.height=64
+expect 0 "pass 0: 20172 triangles" "$twofold" explain "$scenes/cube-sphere.json" -D image.width=64 -D image.height=64
 expect 2 "either a scene or --preset" "$twofold" explain
 expect 0 "fragments on vectors; fused: shares vertices and set-up" "$twofold" explain "$lobe" \
     -D image.width=64 -D image.height=64

@@ -15,12 +15,9 @@ using Catch::Matchers::Contains;
 
 const MapShape shape{32, 0.875};
 
-std::size_t centre_texel() { return texel_index({Face::back, 16, 15}, shape); }
+std::size_t centre_texel() { return texel_index({1, 16, 15}, shape); }
 
-bool visible(std::size_t j) {
-    const ParaboloidTexel texel = texel_at(j, shape);
-    return texel_is_opaque(texel.x, texel.y, shape.size, shape.guard);
-}
+bool visible(std::size_t j) { return is_opaque(texel_at(j, shape), shape); }
 
 /// A channel whose visible texels spread evenly over [0.01, 1], but for one that is `peak`.
 std::vector<double> one_peak(double peak) {
@@ -60,8 +57,8 @@ TEST_CASE("logarithms far outside the range of exp still make texels") {
 TEST_CASE("an image has front and back face, binary alpha and one rounding", "[hard][T01]") {
     NormalisedChannel red = black_channel(shape);
     NormalisedChannel green = black_channel(shape);
-    red.texel[texel_index({Face::back, 16, 15}, shape)] = 1.0;
-    green.texel[texel_index({Face::front, 7, 9}, shape)] = 0.25;
+    red.texel[texel_index({1, 16, 15}, shape)] = 1.0;
+    green.texel[texel_index({0, 7, 9}, shape)] = 0.25;
     const FactorMap map = make_factor_map({red, green, black_channel(shape)}, shape, "t1");
 
     const auto& front = std::get<std::vector<Rgba8>>(map.bytes[0].texels);
@@ -148,12 +145,12 @@ TEST_CASE("a value that is not finite never reaches a byte", "[hard][Q06]") {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         std::vector<double> logs(shape.texels(), 0.0);
-        logs[texel_index({Face::back, 3, 7}, shape)] = bad;
+        logs[texel_index({1, 3, 7}, shape)] = bad;
         CHECK_THROWS_WITH(normalised(logs, shape, "t2 green"),
                           Contains("t2 green") && Contains("(3, 7)") && Contains("back"));
 
         NormalisedChannel channel = black_channel(shape);
-        channel.texel[texel_index({Face::front, 5, 6}, shape)] = bad;
+        channel.texel[texel_index({0, 5, 6}, shape)] = bad;
         CHECK_THROWS_WITH(
             make_factor_map({black_channel(shape), black_channel(shape), channel}, shape, "t1"),
             Contains("t1 blue") && Contains("(5, 6)") && Contains("front"));

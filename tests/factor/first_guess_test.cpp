@@ -34,7 +34,7 @@ Vector touching_weight(const LogRows& left) {
 double brute_force_fill(const Vector& x, const Vector& weight, std::size_t first, std::size_t j,
                         const MapShape& shape) {
     const auto direction = [&](std::size_t k) {
-        return texel_direction(texel_at(k, shape), shape.size, shape.guard);
+        return texel_direction(texel_at(k, shape), shape);
     };
     double sum = 0.0;
     double total = 0.0;
@@ -98,11 +98,10 @@ TEST_CASE("in a balanced table of texel centres the first guess is the solution"
     const FactorSettings settings = cases::unregularised(shape.size, shape.guard);
     std::vector<std::size_t> inside;
     for (std::size_t j = 0; j < shape.texels(); ++j) {
-        const ParaboloidTexel texel = texel_at(j, shape);
-        if (texel_radius(texel.x, texel.y, shape.size, shape.guard) <= 1.0) inside.push_back(j);
+        if (within_face(texel_at(j, shape), shape)) inside.push_back(j);
     }
     const auto direction = [&](std::size_t j) {
-        return texel_direction(texel_at(j, shape), shape.size, shape.guard);
+        return texel_direction(texel_at(j, shape), shape);
     };
     LightingSamples samples;
     for (const std::size_t i : inside) {

@@ -85,12 +85,33 @@ TEST_CASE("seam rows tie each texel beyond the rim to the other face", "[hard][T
     for (std::size_t i = first_seam; i < rows.matrix.rows(); ++i) {
         const auto row = rows.matrix.row(i);
         const std::size_t own = row[0].column % rows.shape.texels();
-        const ParaboloidTexel texel = texel_at(own, rows.shape);
+        const MapTexel texel = texel_at(own, rows.shape);
         CHECK(row[0].value == Approx(scale));
-        CHECK(texel_radius(texel.x, texel.y, 8, settings.guard) > 1.0);
+        CHECK_FALSE(within_face(texel, rows.shape));
         for (std::size_t k = 1; k < 5; ++k) {
             CHECK(texel_at(row[k].column % rows.shape.texels(), rows.shape).face != texel.face);
         }
+    }
+}
+
+TEST_CASE("on a cube every texel has four neighbours, and seam rows join edges pair by pair") {
+    FactorSettings settings = small_settings();
+    settings.map_form = MapForm::cube;
+    settings.smoothness = 1.0;
+    settings.seam = 0.3;
+    const LogRows rows = log_rows(surface_views(512, 1), settings);
+    const std::size_t texels = rows.shape.texels();
+    REQUIRE(rows.matrix.columns() == 2 * texels);
+    for (std::size_t i = rows.samples; i < rows.samples + 2 * texels; ++i)
+        REQUIRE(rows.matrix.row(i).size() == 5);
+    // 12 edges of 8 texels, seen from both sides, in two maps.
+    CHECK(rows.matrix.rows() == rows.samples + 2 * texels + 2 * 2 * 12 * 8);
+    for (std::size_t i = rows.samples + 2 * texels; i < rows.matrix.rows(); ++i) {
+        const auto row = rows.matrix.row(i);
+        REQUIRE(row.size() == 2);
+        CHECK(row[0].value == -row[1].value);
+        CHECK(texel_at(row[0].column % texels, rows.shape).face !=
+              texel_at(row[1].column % texels, rows.shape).face);
     }
 }
 

@@ -40,12 +40,12 @@ std::array<std::vector<double>, 2> reds_of(const ProductTerm& term, bool bytes) 
     std::array<std::vector<double>, 2> reds;
     for (std::size_t m = 0; m < 2; ++m) {
         const FactorMap& map = m == 0 ? term.t1 : term.t2;
-        for (std::size_t face = 0; face < 2; ++face)
+        for (const Texture& face : faces_of(bytes ? map.bytes : map.real))
             if (bytes)
-                for (const Rgba8& t : std::get<std::vector<Rgba8>>(map.bytes[face].texels))
+                for (const Rgba8& t : std::get<std::vector<Rgba8>>(face.texels))
                     reds[m].push_back(t.r / 255.0);
             else
-                for (const Rgba32f& t : std::get<std::vector<Rgba32f>>(map.real[face].texels))
+                for (const Rgba32f& t : std::get<std::vector<Rgba32f>>(face.texels))
                     reds[m].push_back(static_cast<double>(t[0]));
     }
     return reds;
@@ -73,6 +73,12 @@ double rms_of(const std::vector<double>& a, const std::vector<double>& b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
+/// The 99th percentile.
+double white_of(std::vector<double> radiance) {
+    std::stable_sort(radiance.begin(), radiance.end());
+    return radiance[radiance.size() * 99 / 100];
+}
+
 double largest_ratio(const ProductTerm& term) {
     double ratio = 0.0;
     for (std::vector<double> texels : reds_of(term, false)) {
@@ -88,6 +94,14 @@ std::vector<PairFootprint> held_out_footprints(const FactoredLighting& factors) 
 }
 
 }  // namespace
+
+DistantLights grey_sky() {
+    const DistantLights red = lights_named("sky");
+    DistantLights grey;
+    for (std::size_t k = 0; k < red.size(); ++k)
+        grey.push_back(red.direction(k), Rgb(red.weight(k).x));
+    return bound_blocks(std::move(grey));
+}
 
 DistantLights lights_named(const std::string& name) {
     if (name == "one") return directional({{{1.0, 1.0, 1.0}, 1.0}});
@@ -125,9 +139,7 @@ Judged judge(const Brdf& brdf, const DistantLights& lights, const FactorSettings
              int samples, std::uint64_t sequence) {
     const LightingSamples held_out = red_samples(brdf, lights, held_out_pairs, held_out_sequence);
     std::vector<double> radiance = channel_of(held_out.radiance, 0);
-    std::vector<double> sorted = radiance;
-    std::stable_sort(sorted.begin(), sorted.end());
-    const double white = sorted[sorted.size() * 99 / 100];
+    const double white = white_of(radiance);
     Judged judged{
         factorize(red_samples(brdf, lights, samples, sequence), held_out, settings, white, 2)};
     const ChannelFit& fit = judged.factors.fit[0];
@@ -140,6 +152,19 @@ Judged judge(const Brdf& brdf, const DistantLights& lights, const FactorSettings
     judged.byte_steps = 255.0 * rms_of(displayed(judged.factors, pairs, true), shown);
     judged.largest_ratio = largest_ratio(judged.factors.terms[0]);
     return judged;
+}
+
+std::array<ChannelFit, 3> channel_fits(const Brdf& brdf, const DistantLights& lights,
+                                       const FactorSettings& settings, int samples) {
+    const auto sampled = [&](int count, std::uint64_t sequence) {
+        LightingSamples some{surface_views(count, sequence), {}};
+        some.radiance = outgoing_radiance(brdf, lights, some.at, 2);
+        return some;
+    };
+    const LightingSamples held_out = sampled(held_out_pairs, held_out_sequence);
+    std::vector<double> largest;
+    for (const Rgb& radiance : held_out.radiance) largest.push_back(max_component(radiance));
+    return factorize(sampled(samples, 0), held_out, settings, white_of(std::move(largest)), 2).fit;
 }
 
 double mottle(const Judged& a, const Judged& b) {

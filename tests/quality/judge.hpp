@@ -12,6 +12,9 @@ namespace twofold::quality {
 /// even ground.
 DistantLights lights_named(const std::string& name);
 
+/// The sky in all channels.
+DistantLights grey_sky();
+
 Brdf phong(double exponent);       ///< k_d = k_s = 1/2
 Brdf cook_torrance(double slope);  ///< d .3, s .7, eta 1.5, pi1981
 Brdf diffuse();
@@ -34,6 +37,10 @@ struct Judged {
 /// Fits `samples` pairs and judges 20,000 others. @param sequence of the fitted pairs
 Judged judge(const Brdf& brdf, const DistantLights& lights, const FactorSettings& settings,
              int samples, std::uint64_t sequence = 0);
+
+/// The same fit of all channels at once, for materials whose channels differ.
+std::array<ChannelFit, 3> channel_fits(const Brdf& brdf, const DistantLights& lights,
+                                       const FactorSettings& settings, int samples);
 
 /// rms / sqrt 2 of the difference of what two results display at one set of pairs, of 255.
 double mottle(const Judged& a, const Judged& b);

@@ -118,3 +118,16 @@ TEST_CASE("the preset best is nearer to the exact picture than the preset paper"
     CHECK(best.frame.passes.size() == paper.frame.passes.size());
     CHECK(best.error < 0.5 * paper.error);
 }
+
+TEST_CASE("cube maps take one pass where paraboloids take four, and the picture is as near") {
+    const Drawn four = draw(sphere_scene(R"("map_form": "dual_paraboloid")", phong));
+    // 6 x 18^2 texels in place of 2 x 32^2.
+    Scene cubes = sphere_scene(R"("map_form": "cube")", phong);
+    cubes.factorization.map_size = 18;
+    const Drawn one = draw(cubes);
+    CHECK(four.frame.passes.size() == 4);
+    REQUIRE(one.frame.passes.size() == 1);
+    CHECK(one.frame.textures.size() == 2);
+    CHECK_FALSE(one.frame.passes[0].state.alpha_test);
+    CHECK(one.error < 1.1 * four.error);
+}
