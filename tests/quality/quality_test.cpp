@@ -1,7 +1,10 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdio>
 
+#include "factor/measured_brdf.hpp"
 #include "judge.hpp"
+#include "tests/data_folder.hpp"
 
 using namespace twofold;
 using namespace twofold::quality;
@@ -100,6 +103,33 @@ TEST_CASE("quality: Cook-Torrance of slope .2 under a sky") {
     two.refinement = 8;
     const Judged both = judged("Cook-Torrance .2, sky, 2 products with g", brdf, "sky", two);
     CHECK(both.psnr >= 30.0);
+}
+
+TEST_CASE("quality: Cornell's paints under a sky") {
+    const auto folder = data_folder();
+    if (!folder) return;
+    for (const char* name : {"garnet_red", "krylon_blue"}) {
+        const auto bytes = bytes_of(*folder / "brdf/cornell" / (std::string(name) + ".brdf"));
+        const MeasuredData data = parse_cornell(std::string(bytes.begin(), bytes.end()), name);
+        for (const Fill fill : {Fill::homomorphic, Fill::interpolate}) {
+            MeasuredBrdf paint;
+            paint.model = std::make_shared<MeasuredModel>(make_model(data, fill, 2));
+            for (const int knots : {0, 24}) {
+                FactorSettings settings = settings_of(Method::paper, 32);
+                settings.view_knots = knots;
+                const auto fits = channel_fits(paint, grey_sky(), settings, samples_of(32));
+                std::printf("%s, %s, %s g: rel %.3f / %.3f / %.3f\n", name,
+                            fill == Fill::homomorphic ? "product" : "interpolated",
+                            knots > 0 ? "with" : "without", fits[0].relative_rms,
+                            fits[1].relative_rms, fits[2].relative_rms);
+                for (const ChannelFit& fit : fits) {
+                    CAPTURE(name, knots);
+                    CHECK(std::isfinite(fit.relative_rms));
+                    if (knots > 0) CHECK(fit.relative_rms <= 0.25);
+                }
+            }
+        }
+    }
 }
 
 TEST_CASE("quality: 8 bits against floats of the same textures") {
