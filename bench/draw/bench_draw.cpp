@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -7,6 +6,7 @@
 #include "bench/draw/drawing.hpp"
 #include "bench/draw/machine.hpp"
 #include "bench/draw/report.hpp"
+#include "bench/draw/scratch_folder.hpp"
 #include "raster/vector_width.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
@@ -22,27 +22,6 @@ struct Options {
     int rounds = 5;
     double seconds = 0.3, enforce = 0.0;
     std::vector<std::string> child;
-};
-
-/// An empty folder that goes with its owner.
-class ScratchFolder {
-  public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "bench_draw_XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw Error(ExitCode::bad_file, name + ": cannot be made");
-        path_ = name;
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
 };
 
 /// What --child is asked for: one drawing in a process of its own. Prints seconds of a frame

@@ -10,9 +10,6 @@
 namespace twofold::bench {
 namespace {
 
-constexpr std::string_view begin_marker = "<!-- bench_draw: begin -->\n";
-constexpr std::string_view end_marker = "<!-- bench_draw: end -->";
-
 std::string wanted(const std::optional<double>& value) {
     return value ? fmt::format("{:.2f}", *value) : "-";
 }
@@ -143,7 +140,9 @@ std::string markdown_of(const DrawReport& report) {
 }
 
 std::string with_table(const std::string& document, const std::string& table,
-                       const std::string& file) {
+                       const std::string& file, const std::string& program) {
+    const std::string begin_marker = fmt::format("<!-- {}: begin -->\n", program);
+    const std::string end_marker = fmt::format("<!-- {}: end -->", program);
     const std::size_t begin = document.find(begin_marker), end = document.find(end_marker);
     if (begin == std::string::npos || end == std::string::npos || end < begin)
         throw Error(ExitCode::bad_file,

@@ -25,9 +25,9 @@ std::string row_heading();
 std::string json_of(const DrawReport& report);
 std::string markdown_of(const DrawReport& report);
 
-/// `document` with what stands between the two markers replaced.
+/// `document` with what stands between the two markers of a program replaced.
 /// @throws Error(bad_file) naming `file` if a marker is missing
 std::string with_table(const std::string& document, const std::string& table,
-                       const std::string& file);
+                       const std::string& file, const std::string& program = "bench_draw");
 
 }  // namespace twofold::bench
