@@ -10,13 +10,13 @@ namespace twofold {
 
 /// The first pixel whose centre is not left of `x` (snap units), and so for y.
 constexpr std::int64_t first_pixel(std::int64_t x, int fraction_bits) {
-    const std::int64_t half = std::int64_t{1} << (fraction_bits - 1);
+    const std::int64_t half = (std::int64_t{1} << fraction_bits) / 2;
     return (x - half + (std::int64_t{1} << fraction_bits) - 1) >> fraction_bits;
 }
 
 /// The last pixel whose centre is not right of `x`.
 constexpr std::int64_t last_pixel(std::int64_t x, int fraction_bits) {
-    const std::int64_t half = std::int64_t{1} << (fraction_bits - 1);
+    const std::int64_t half = (std::int64_t{1} << fraction_bits) / 2;
     return (x - half) >> fraction_bits;
 }
 
