@@ -14,8 +14,8 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE Mask passes(CompareFunc func, V z, V stored) {
-    const D d;
+template <class T>
+HWY_INLINE hn::Mask<T> passes(T d, CompareFunc func, hn::Vec<T> z, hn::Vec<T> stored) {
     switch (func) {
         case CompareFunc::never:
             return hn::FirstN(d, 0);
@@ -24,136 +24,189 @@ HWY_INLINE Mask passes(CompareFunc func, V z, V stored) {
         case CompareFunc::equal:
             return hn::Eq(z, stored);
         case CompareFunc::lequal:
-            return hn::Le(z, stored);
+            return hn::Not(hn::Lt(stored, z));
         case CompareFunc::greater:
-            return hn::Gt(z, stored);
+            return hn::Lt(stored, z);
         case CompareFunc::notequal:
             return hn::Ne(z, stored);
         case CompareFunc::gequal:
-            return hn::Ge(z, stored);
+            return hn::Not(hn::Lt(z, stored));
         case CompareFunc::always:
             break;
     }
     return hn::FirstN(d, hn::Lanes(d));
 }
 
-/// Depth as the buffer holds it, still in binary64.
-HWY_INLINE V quantised(const DepthRule& rule, V z) {
-    const D d;
-    const V inside = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0));
-    return hn::Add(hn::Mul(inside, hn::Set(d, rule.steps)), hn::Set(d, rule.half));
-}
-
-/// Depth in units of the buffer, before it is cut, as a number linear in the window: within 2^-24 of
-/// what divisions give if the triangle's depths are moderate.
-struct NearDepth {
-    double first, per_e1, per_e2, least, most;
-
-    NearDepth(const Triangle& t, const DepthRule& rule)
-        : first(t.z0 * rule.steps + rule.half),
-          per_e1(t.dz1 * rule.steps * t.over_area),
-          per_e2(t.dz2 * rule.steps * t.over_area),
-          least(rule.half),
-          most(rule.steps + rule.half) {}
-
-    HWY_INLINE V at(V e1, V e2) const {
-        const D d;
-        const V z = hn::Add(hn::Set(d, first), hn::Add(hn::Mul(e1, hn::Set(d, per_e1)),
-                                                       hn::Mul(e2, hn::Set(d, per_e2))));
-        return hn::Min(hn::Max(z, hn::Set(d, least)), hn::Set(d, most));
-    }
+/// Pixels of one row, the first at (x, y) from the triangle's first.
+struct RowPixels {
+    int x, y;
 };
 
-HWY_INLINE V exact_depth(const Triangle& t, V e1, V e2) {
+/// Depth by divisions, half a vector of pixels from x on.
+HWY_INLINE V exact_depth(const Triangle& t, double x, double y) {
     const D d;
-    const V more = hn::Add(hn::Mul(e1, hn::Set(d, t.dz1)), hn::Mul(e2, hn::Set(d, t.dz2)));
+    const V vx = hn::Iota(d, x), vy = hn::Set(d, y);
+    const V more = hn::Add(hn::Mul(at(t.e[1], vx, vy), hn::Set(d, t.dz1)),
+                           hn::Mul(at(t.e[2], vx, vy), hn::Set(d, t.dz2)));
     return hn::Add(hn::Set(d, t.z0), hn::Div(more, hn::Set(d, t.area)));
 }
 
-/// Depth as the buffer holds it. Divisions are done only where they could make a difference.
-HWY_INLINE V depth_at(const Triangle& t, const DepthRule& rule, const NearDepth& near, V e1, V e2,
-                      std::uint32_t*) {
-    const V z = near.at(e1, e2);
-    const V whole = hn::Floor(z);
-    if (HWY_LIKELY(t.moderate_depth && !in_doubt(z, whole))) return whole;
-    return hn::Floor(quantised(rule, exact_depth(t, e1, e2)));
-}
-HWY_INLINE V depth_at(const Triangle& t, const DepthRule&, const NearDepth&, V e1, V e2, double*) {
-    return exact_depth(t, e1, e2);
+/// Depth as an integer buffer holds it.
+HWY_NOINLINE VI quantised_depth(const Triangle& t, const DepthRule& rule, RowPixels p) {
+    const D d;
+    const auto quantised = [&](double x) HWY_ATTR {
+        const V z = exact_depth(t, x, p.y);
+        const V inside = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0));
+        return hn::DemoteTo(I(), hn::Add(hn::Mul(inside, hn::Set(d, rule.steps)),
+                                         hn::Set(d, rule.half)));
+    };
+    const DI di;
+    const double half = static_cast<double>(hn::Lanes(d));
+    return hn::Combine(di, quantised(p.x + half), quantised(p.x));
 }
 
-HWY_INLINE V loaded(const std::uint32_t* p) {
-    return hn::PromoteTo(D(), hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(p)));
+/// The same. Divisions are done only where they could make a difference.
+HWY_INLINE VI depth_at(const Triangle& t, const DepthRule& rule, RowPixels p, V step_low,
+                       V step_high) {
+    const D d;
+    const Plane& z = t.near_depth;
+    const V first = hn::Set(d, z.first + z.dy * p.y + z.dx * p.x);
+    const auto low = fixed(hn::Add(first, step_low)), high = fixed(hn::Add(first, step_high));
+    const bool sure = hn::AllFalse(U(), hn::Or(in_doubt(low), in_doubt(high)));
+    if (HWY_LIKELY(t.near_depth_usable && sure)) return floors(low, high);
+    return quantised_depth(t, rule, p);
 }
-HWY_INLINE V loaded(const double* p) { return hn::LoadU(D(), p); }
-HWY_INLINE void stored(V z, std::uint32_t* p) {
-    hn::StoreU(hn::DemoteTo(I(), z), I(), reinterpret_cast<std::int32_t*>(p));
-}
-HWY_INLINE void stored(V z, double* p) { hn::StoreU(z, D(), p); }
+
 /// Stores the lanes of the mask, close together; up to a full vector may be written. Not Compress:
 /// g++ 12 copies Highway 1.0.3's table for it to the stack at every call.
-HWY_INLINE void append(V v, Mask m, double* p) {
-    const D d;
+template <class T>
+HWY_INLINE void append(T d, hn::Vec<T> v, hn::Mask<T> m, hn::TFromD<T>* p) {
     if (hn::AllTrue(d, m))
         hn::StoreU(v, d, p);
     else
         hn::CompressStore(v, m, d, p);
 }
 
-template <class Depth>
-int cover_rows(const Triangle& t, const DepthRule& rule, Depth* depth, int row, Span& out) {
-    const D d;
+/// Depth of a buffer of integers, a vector of pixels at a time.
+class IntegerDepth {
+  public:
+    using Pixels = DI;
+
+    IntegerDepth(const Triangle& t, const DepthRule& rule) : t_(t), rule_(rule) {
+        const D d;
+        const V dx = hn::Set(d, t.near_depth.dx);
+        low_ = hn::Mul(hn::Iota(d, 0.0), dx);
+        high_ = hn::Mul(hn::Iota(d, static_cast<double>(hn::Lanes(d))), dx);
+    }
+
+    /// Tests and writes the depth of pixels of which `m` are covered, appends those that are left
+    /// and returns their number.
+    HWY_INLINE std::size_t keep(RowPixels p, hn::Mask<DI> m, std::uint32_t* depth, VI places,
+                                std::int32_t* at, double* z_out) const {
+        const DI d;
+        if (rule_.computed) {
+            const VI z = depth_at(t_, rule_, p, low_, high_);
+            if (rule_.early) {
+                auto* const stored = reinterpret_cast<std::int32_t*>(depth);
+                const VI old = hn::LoadU(d, stored);
+                m = hn::And(m, passes(d, rule_.func, z, old));
+                if (rule_.write) hn::StoreU(hn::IfThenElse(m, z, old), d, stored);
+            } else {
+                alignas(64) std::array<std::int32_t, widest> kept;
+                append(d, z, m, kept.data());
+                const Two real = as_real(hn::Load(d, kept.data()));
+                hn::StoreU(real.low, D(), z_out);
+                hn::StoreU(real.high, D(), z_out + hn::Lanes(D()));
+            }
+        }
+        append(d, places, m, at);
+        return hn::CountTrue(d, m);
+    }
+
+  private:
+    const Triangle& t_;
+    const DepthRule& rule_;
+    V low_, high_;
+};
+
+/// Depth of a buffer of binary64.
+class RealDepth {
+  public:
+    using Pixels = I;
+
+    RealDepth(const Triangle& t, const DepthRule& rule) : t_(t), rule_(rule) {}
+
+    HWY_INLINE std::size_t keep(RowPixels p, hn::Mask<I> m, double* depth, hn::Vec<I> places,
+                                std::int32_t* at, double* z_out) const {
+        const D d;
+        using S = hn::RebindToSigned<D>;
+        Mask inside = hn::MaskFromVec(hn::BitCast(d, hn::PromoteTo(S(), hn::VecFromMask(I(), m))));
+        if (rule_.computed) {
+            const V z = exact_depth(t_, p.x, p.y);
+            if (rule_.early) {
+                const V old = hn::LoadU(d, depth);
+                inside = hn::And(inside, passes(d, rule_.func, z, old));
+                if (rule_.write) hn::StoreU(hn::IfThenElse(inside, z, old), d, depth);
+            } else {
+                append(d, z, inside, z_out);
+            }
+        }
+        alignas(64) std::array<double, widest> kept;
+        append(d, hn::PromoteTo(d, places), inside, kept.data());
+        hn::StoreU(hn::DemoteTo(I(), hn::Load(d, kept.data())), I(), at);
+        return hn::CountTrue(d, inside);
+    }
+
+  private:
+    const Triangle& t_;
+    const DepthRule& rule_;
+};
+
+template <class Rule, class Depth>
+HWY_INLINE Covered cover_rows(const Triangle& t, const DepthRule& rule, Depth* depth, int row,
+                              std::size_t size, BatchPlaces& out) {
+    using Pixels = typename Rule::Pixels;
+    const Pixels d;
+    const Rule rule_of_depth(t, rule);
     const auto lanes = static_cast<int>(hn::Lanes(d));
-    const V iota = hn::Iota(d, 0.0);
-    const V step0 = hn::Set(d, t.dx[0] * lanes), step1 = hn::Set(d, t.dx[1] * lanes);
-    const V step2 = hn::Set(d, t.dx[2] * lanes);
-    const V first0 = hn::Mul(iota, hn::Set(d, t.dx[0])), first1 = hn::Mul(iota, hn::Set(d, t.dx[1]));
-    const V first2 = hn::Mul(iota, hn::Set(d, t.dx[2]));
-    const V least0 = hn::Set(d, t.least[0]), least1 = hn::Set(d, t.least[1]);
-    const V least2 = hn::Set(d, t.least[2]);
-    const NearDepth near(t, rule);
-    const bool late = rule.computed && !rule.early;
+    const auto iota = hn::Iota(d, 0);
+    const auto along = [&](std::size_t k) HWY_ATTR {
+        return hn::Add(hn::Set(d, t.cover[k].first), hn::Mul(iota, hn::Set(d, t.cover[k].dx)));
+    };
+    const auto first0 = along(0), first1 = along(1), first2 = along(2);
+    const auto step0 = hn::Set(d, t.cover[0].dx * lanes), step1 = hn::Set(d, t.cover[1].dx * lanes);
+    const auto step2 = hn::Set(d, t.cover[2].dx * lanes);
     std::size_t n = 0;
-    for (; row < t.y1 && n < span_capacity; ++row) {
-        const double down = row - t.y0;
-        V e0 = hn::Add(hn::Set(d, t.e[0] + t.dy[0] * down), first0);
-        V e1 = hn::Add(hn::Set(d, t.e[1] + t.dy[1] * down), first1);
-        V e2 = hn::Add(hn::Set(d, t.e[2] + t.dy[2] * down), first2);
+    for (; row < t.y1 && n < cover_capacity; ++row) {
+        const int down = row - t.y0;
+        auto e0 = hn::Add(first0, hn::Set(d, t.cover[0].dy * down));
+        auto e1 = hn::Add(first1, hn::Set(d, t.cover[1].dy * down));
+        auto e2 = hn::Add(first2, hn::Set(d, t.cover[2].dy * down));
         for (int x = t.x0; x < t.x1; x += lanes) {
-            Mask m = hn::And(hn::And(hn::Ge(e0, least0), hn::Ge(e1, least1)), hn::Ge(e2, least2));
+            auto m = hn::Gt(hn::Or(hn::Or(e0, e1), e2), hn::Set(d, -1));
             if (x + lanes > t.x1) m = hn::And(m, hn::FirstN(d, static_cast<std::size_t>(t.x1 - x)));
-            const V w1 = e1, w2 = e2;
             e0 = hn::Add(e0, step0);
             e1 = hn::Add(e1, step1);
             e2 = hn::Add(e2, step2);
             if (hn::AllFalse(d, m)) continue;
-            const int at = row * tile_edge + x;
-            V z = hn::Zero(d);
-            if (rule.computed) {
-                z = depth_at(t, rule, near, w1, w2, depth);
-                if (rule.early) {
-                    const V old = loaded(depth + at);
-                    m = hn::And(m, passes(rule.func, z, old));
-                    if (rule.write) stored(hn::IfThenElse(m, z, old), depth + at);
-                }
-            }
-            const V places = hn::Add(hn::Set(d, at), iota);
-            append(w1, m, out.e1.data() + n);
-            append(w2, m, out.e2.data() + n);
-            append(places, m, out.at.data() + n);
-            if (late) append(z, m, out.z.data() + n);
-            n += hn::CountTrue(d, m);
+            const int place = row * tile_edge + x;
+            n += rule_of_depth.keep({x - t.x0, down}, m, depth + place,
+                                    hn::Add(hn::Set(d, place), iota), out.at.data() + size + n,
+                                    out.z.data() + size + n);
         }
     }
-    out.size = n;
-    return row;
+    // What lies behind the last fragment up to a full vector must be a place in the triangle too.
+    hn::StoreU(hn::Set(d, t.y0 * tile_edge + t.x0), d, out.at.data() + size + n);
+    return {row, n};
 }
 
-int cover_u32(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row, Span& out) {
-    return cover_rows(t, rule, depth, row, out);
+Covered cover_u32(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row,
+                  std::size_t size, BatchPlaces& out) {
+    return cover_rows<IntegerDepth>(t, rule, depth, row, size, out);
 }
-int cover_f64(const Triangle& t, const DepthRule& rule, double* depth, int row, Span& out) {
-    return cover_rows(t, rule, depth, row, out);
+Covered cover_f64(const Triangle& t, const DepthRule& rule, double* depth, int row,
+                  std::size_t size, BatchPlaces& out) {
+    return cover_rows<RealDepth>(t, rule, depth, row, size, out);
 }
 const char* target_name() { return hwy::TargetName(HWY_TARGET); }
 
@@ -169,11 +222,13 @@ HWY_EXPORT(cover_u32);
 HWY_EXPORT(cover_f64);
 HWY_EXPORT(target_name);
 
-int cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row, Span& out) {
-    return HWY_DYNAMIC_DISPATCH(cover_u32)(t, rule, depth, row, out);
+Covered cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row,
+              std::size_t size, BatchPlaces& out) {
+    return HWY_DYNAMIC_DISPATCH(cover_u32)(t, rule, depth, row, size, out);
 }
-int cover(const Triangle& t, const DepthRule& rule, double* depth, int row, Span& out) {
-    return HWY_DYNAMIC_DISPATCH(cover_f64)(t, rule, depth, row, out);
+Covered cover(const Triangle& t, const DepthRule& rule, double* depth, int row, std::size_t size,
+              BatchPlaces& out) {
+    return HWY_DYNAMIC_DISPATCH(cover_f64)(t, rule, depth, row, size, out);
 }
 const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 

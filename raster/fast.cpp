@@ -107,32 +107,28 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
 }
 
 template <NumericModel M>
-void start_tile(const FastState<M>& state, const PixelRectangle& area, TileMemory<M>& tile) {
+void clear_tile(FastState<M>& state, const PixelRectangle& area) {
+    const auto clear = stored_color<M>(clear_color(state.m, state.frame));
+    for (auto y = area.y0; y < area.y1; ++y)
+        std::fill_n(state.color.begin() + static_cast<std::ptrdiff_t>(y * state.frame.width + area.x0),
+                    area.x1 - area.x0, clear);
+}
+
+template <NumericModel M>
+void start_tile(FastState<M>& state, const PixelRectangle& area, TileMemory<M>& tile) {
     const Frame& frame = state.frame;
     tile.x0 = static_cast<int>(area.x0);
     tile.y0 = static_cast<int>(area.y0);
     tile.format = frame.color_format;
     tile.depth_bits = frame.depth_bits;
+    tile.stride = static_cast<std::size_t>(frame.width);
+    tile.color = state.color.data() + area.y0 * frame.width + area.x0;
     tile.depth.fill(state.m.depth(frame.clear_depth, frame.depth_bits));
-    if (!frame.initial_color) {
-        tile.color.fill(stored_color<M>(clear_color(state.m, frame)));
-        return;
-    }
+    if (!frame.initial_color) return clear_tile(state, area);
     for (auto y = area.y0; y < area.y1; ++y)
         for (auto x = area.x0; x < area.x1; ++x)
             tile.store_color(tile.index(static_cast<int>(x), static_cast<int>(y)),
                              initial_color(state.m, frame, static_cast<std::size_t>(y * frame.width + x)));
-}
-
-template <NumericModel M>
-void finish_tile(FastState<M>& state, const PixelRectangle& area, const TileMemory<M>& tile) {
-    const auto width = static_cast<std::size_t>(area.x1 - area.x0);
-    for (auto y = area.y0; y < area.y1; ++y) {
-        const std::size_t from = static_cast<std::size_t>(y - area.y0) * lanes::tile_edge;
-        const std::size_t to = static_cast<std::size_t>(y * state.frame.width + area.x0);
-        std::copy_n(tile.color.begin() + static_cast<std::ptrdiff_t>(from), width,
-                    state.color.begin() + static_cast<std::ptrdiff_t>(to));
-    }
 }
 
 template <NumericModel M>
@@ -154,14 +150,6 @@ void draw_entry(const TilePass<M>& pass, const BinEntry& entry, const PixelRecta
 }
 
 template <NumericModel M>
-void clear_tile(FastState<M>& state, const PixelRectangle& area) {
-    const auto clear = stored_color<M>(clear_color(state.m, state.frame));
-    for (auto y = area.y0; y < area.y1; ++y)
-        std::fill_n(state.color.begin() + static_cast<std::ptrdiff_t>(y * state.frame.width + area.x0),
-                    area.x1 - area.x0, clear);
-}
-
-template <NumericModel M>
 void draw_tile(FastState<M>& state, std::size_t number) {
     const Frame& frame = state.frame;
     const PixelRectangle area = tile_rectangle(state.bins, number, frame.width, frame.height);
@@ -179,7 +167,6 @@ void draw_tile(FastState<M>& state, std::size_t number) {
     }
     if constexpr (lane_kind<M>() != LaneKind::none)
         if (drawing) flush(*drawing, true, *tile);
-    finish_tile(state, area, *tile);
     state.pool.give_back(std::move(tile));
 }
 

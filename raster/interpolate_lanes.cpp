@@ -22,15 +22,32 @@ struct Weights {
     V e0, e1, e2;
 };
 
-HWY_INLINE Weights weights_at(const Triangle& t, const Span& span, std::size_t i) {
+/// Places of fragments in binary64, pixels from the triangle's first.
+struct Places {
+    V x, y;
+};
+
+HWY_INLINE VI column_of(VI at) { return hn::And(at, hn::Set(DI(), tile_edge - 1)); }
+HWY_INLINE VI row_of(VI at) { return hn::ShiftRight<tile_edge_bits>(at); }
+
+HWY_INLINE Places places_at(const Triangle& t, const std::int32_t* at) {
     const D d;
-    const V e1 = hn::Load(d, span.e1.data() + i), e2 = hn::Load(d, span.e2.data() + i);
-    return {hn::Sub(hn::Sub(hn::Set(d, t.area), e1), e2), e1, e2};
+    const I di;
+    const auto v = hn::LoadU(di, at);
+    const auto x = hn::And(v, hn::Set(di, tile_edge - 1)), y = hn::ShiftRight<tile_edge_bits>(v);
+    return {hn::PromoteTo(d, hn::Sub(x, hn::Set(di, t.x0))),
+            hn::PromoteTo(d, hn::Sub(y, hn::Set(di, t.y0)))};
 }
 
-HWY_INLINE V as_real(D, V v) { return v; }
+HWY_INLINE Weights weights_at(const Triangle& t, const std::int32_t* places) {
+    const Places p = places_at(t, places);
+    const V e1 = at(t.e[1], p.x, p.y), e2 = at(t.e[2], p.x, p.y);
+    return {hn::Sub(hn::Sub(hn::Set(D(), t.area), e1), e2), e1, e2};
+}
+
+HWY_INLINE V narrowed(D, V v) { return v; }
 template <class F>
-HWY_INLINE hn::Vec<F> as_real(F f, V v) {
+HWY_INLINE hn::Vec<F> narrowed(F f, V v) {
     return hn::DemoteTo(f, v);
 }
 
@@ -43,7 +60,7 @@ template <class Real>
 HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t, const Corners<Real>& c,
                                                     std::size_t u, const Weights& w) {
     const Narrow<Real> r;
-    auto w0 = as_real(r, w.e0), w1 = as_real(r, w.e1), w2 = as_real(r, w.e2);
+    auto w0 = narrowed(r, w.e0), w1 = narrowed(r, w.e1), w2 = narrowed(r, w.e2);
     if (!c.over_w && !t.equal_w) {
         w0 = hn::Mul(w0, hn::Set(r, static_cast<Real>(t.inverse_w[0])));
         w1 = hn::Mul(w1, hn::Set(r, static_cast<Real>(t.inverse_w[1])));
@@ -56,124 +73,152 @@ HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t, const Cor
     return {sum(c.coords[u][0]), sum(c.coords[u][1]), sum(c.coords[u][2])};
 }
 
-/// A number that is linear in the window: first + e1 per_e1 + e2 per_e2.
-struct Linear {
-    double first, per_e1, per_e2;
+/// The largest magnitude of what a sum over the vertices passes through on the way to its value.
+using Reach = std::array<double, 3>;
 
-    Linear(const Triangle& t, const std::array<double, 3>& v)
-        : first(v[0] * t.area), per_e1(v[1] - v[0]), per_e2(v[2] - v[0]) {}
-
-    HWY_INLINE V at(V e1, V e2) const {
-        const D d;
-        return hn::Add(hn::Set(d, first), hn::Add(hn::Mul(e1, hn::Set(d, per_e1)),
-                                                  hn::Mul(e2, hn::Set(d, per_e2))));
-    }
-};
-
-double largest(const std::array<double, 3>& v) {
-    return std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+/// A bound of each doubled area in the pixels to visit.
+Reach reach_of(const Triangle& t) {
+    Reach reach;
+    for (std::size_t k = 0; k < 3; ++k)
+        reach[k] = std::fabs(t.e[k].first) + std::fabs(t.e[k].dx) * (t.x1 - t.x0) +
+                   std::fabs(t.e[k].dy) * (t.y1 - t.y0);
+    return reach;
 }
 
-/// A unit's place in its texture as two linear numbers over a third: in 1/256 texel from the centre
-/// of texel (0, 0). Near the reference's numbers by far less than `doubt` if it is `usable`.
-struct Near {
-    std::array<double, 3> x, y, q;
-    bool usable;
+/// What the vertices have, weighted by the doubled areas.
+Plane weighted(const Triangle& t, const std::array<double, 3>& v) {
+    const auto sum = [&](double Plane::*part) {
+        return v[0] * t.e[0].*part + v[1] * t.e[1].*part + v[2] * t.e[2].*part;
+    };
+    return {sum(&Plane::first), sum(&Plane::dx), sum(&Plane::dy)};
+}
 
-    Near(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
-         std::size_t u) {
-        usable = false;
-        x = y = q = {};
+double largest(const Reach& reach, const std::array<double, 3>& v) {
+    return std::fabs(v[0]) * reach[0] + std::fabs(v[1]) * reach[1] + std::fabs(v[2]) * reach[2];
+}
+
+/// A unit's places in its texture as two linear numbers over a third: in 1/256 texel, with LINEAR
+/// from the centre of texel (0, 0). Near the reference's places by less than 2^-20 if it is `usable`.
+struct Near {
+    std::array<double, 3> q_of_vertex;
+    Plane x, y, q;
+    bool usable = false;
+
+    Near(const Triangle& t, const Reach& reach, const Corners<double>& c,
+         const Shader<std::uint32_t>& s, std::size_t u) {
         if (u >= s.units || !knows_reciprocals(s.unit[u])) return;
-        const Image<std::uint32_t>& image = s.unit[u].image;
+        const Unit<std::uint32_t>& unit = s.unit[u];
+        const double to_centre = unit.linear ? 128.0 : 0.0;
+        std::array<double, 3> vx, vy;
         for (std::size_t k = 0; k < 3; ++k) {
             const double w = c.over_w || t.equal_w ? 1.0 : t.inverse_w[k];
-            q[k] = w * c.coords[u][2][k];
-            x[k] = w * c.coords[u][0][k] * (256.0 * image.width) - 128.0 * q[k];
-            y[k] = w * c.coords[u][1][k] * (256.0 * image.height) - 128.0 * q[k];
+            q_of_vertex[k] = w * c.coords[u][2][k];
+            vx[k] = w * c.coords[u][0][k] * (256.0 * unit.image.width) - to_centre * q_of_vertex[k];
+            vy[k] = w * c.coords[u][1][k] * (256.0 * unit.image.height) - to_centre * q_of_vertex[k];
         }
-        // Both this and the reference stray by 2^-49 of the largest place, times the spread of q.
-        const double least = std::min(std::min(std::fabs(q[0]), std::fabs(q[1])),
-                                     std::fabs(q[2]));
-        usable = largest(x) <= 0x1p26 * least && largest(y) <= 0x1p26 * least &&
-                 largest(q) <= 0x1p10 * least;
+        x = weighted(t, vx);
+        y = weighted(t, vy);
+        q = weighted(t, q_of_vertex);
+        // Each rounding strays by 2^-53 of the largest term. Places above 2^20 are clamped.
+        const double least = t.area * std::min(std::min(std::fabs(q_of_vertex[0]),
+                                                        std::fabs(q_of_vertex[1])),
+                                               std::fabs(q_of_vertex[2]));
+        usable = largest(reach, vx) <= 0x1p26 * least && largest(reach, vy) <= 0x1p26 * least &&
+                 largest(reach, q_of_vertex) <= 0x1p8 * least;
     }
 };
 
 /// The same for both units: one reciprocal serves them.
-bool same_q(const Near& a, const Near& b) { return a.usable && b.usable && a.q == b.q; }
+bool same_q(const Near& a, const Near& b) {
+    return a.usable && b.usable && a.q_of_vertex == b.q_of_vertex;
+}
+
+HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const Corners<double>& c,
+                                               const Shader<std::uint32_t>& s, std::size_t u,
+                                               const std::int32_t* at) {
+    const DI di;
+    const auto half = [&](const std::int32_t* from) HWY_ATTR {
+        return footprint_by_division(s.unit[u], coordinates_at(t, c, u, weights_at(t, from)));
+    };
+    const Footprint8 low = half(at), high = half(at + hn::Lanes(D()));
+    return {hn::Combine(di, high.offset, low.offset), hn::Combine(di, high.weights, low.weights)};
+}
+
+HWY_INLINE void store(const Footprints& f, std::size_t u, std::size_t i, ByteBatch& out) {
+    const DI di;
+    hn::StoreU(f.offset, di, out.offset[u].data() + i);
+    hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + i));
+}
 
 /// Footprints by linear numbers and a reciprocal where no doubt is left, else as the reference does.
 void place_near(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
                 std::size_t first, std::size_t units, const std::array<Near, lane_units>& near,
-                const Span& span, ByteBatch& out) {
-    const D d;
-    const I di;
-    const Linear lq(t, near[first].q);
-    const std::array<Linear, lane_units> lx{Linear(t, near[0].x), Linear(t, near[1].x)};
-    const std::array<Linear, lane_units> ly{Linear(t, near[0].y), Linear(t, near[1].y)};
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(d)) {
-        const V e1 = hn::Load(d, span.e1.data() + i), e2 = hn::Load(d, span.e2.data() + i);
-        const V over_q = near_reciprocal(lq.at(e1, e2));
+                std::size_t count, ByteBatch& out) {
+    const DI di;
+    const Plane q = near[first].q;
+    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
+        const std::int32_t* const places = out.places.at.data() + i;
+        const VI v = hn::LoadU(di, places);
+        const Two x = as_real(hn::Sub(column_of(v), hn::Set(di, t.x0)));
+        const Two y = as_real(hn::Sub(row_of(v), hn::Set(di, t.y0)));
+        const V low = near_reciprocal(at(q, x.low, y.low));
+        const V high = near_reciprocal(at(q, x.high, y.high));
         for (std::size_t u = first; u < first + units; ++u) {
-            const V x = hn::Mul(lx[u].at(e1, e2), over_q), y = hn::Mul(ly[u].at(e1, e2), over_q);
-            const V fx = hn::Floor(x), fy = hn::Floor(y);
-            const Footprint8 f =
-                HWY_LIKELY(!in_doubt(x, fx, y, fy))
-                    ? footprint_at(s.unit[u].image, fx, fy)
-                    : footprint_by_division(s.unit[u],
-                                            coordinates_at(t, c, u, weights_at(t, span, i)));
-            const std::size_t to = out.size + i;
-            hn::StoreU(f.offset, di, out.offset[u].data() + to);
-            hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + to));
+            const auto u_low = fixed(hn::Mul(at(near[u].x, x.low, y.low), low));
+            const auto v_low = fixed(hn::Mul(at(near[u].y, x.low, y.low), low));
+            const auto u_high = fixed(hn::Mul(at(near[u].x, x.high, y.high), high));
+            const auto v_high = fixed(hn::Mul(at(near[u].y, x.high, y.high), high));
+            const auto doubt = hn::Or(hn::Or(in_doubt(u_low), in_doubt(v_low)),
+                                      hn::Or(in_doubt(u_high), in_doubt(v_high)));
+            if (HWY_LIKELY(hn::AllFalse(U(), doubt)))
+                store(footprints_at(s.unit[u].image, floors(u_low, u_high), floors(v_low, v_high)),
+                      u, i, out);
+            else
+                store(footprints_by_division(t, c, s, u, places), u, i, out);
         }
     }
 }
 
-void place_exactly(const Triangle& t, const Corners<double>& c, const Unit<std::uint32_t>& unit,
-                   std::size_t u, const Span& span, ByteBatch& out) {
-    const I di;
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(di)) {
-        const Footprint8 f =
-            footprint_by_division(unit, coordinates_at(t, c, u, weights_at(t, span, i)));
-        const std::size_t to = out.size + i;
-        hn::StoreU(f.offset, di, out.offset[u].data() + to);
-        hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + to));
-    }
+void place_exactly(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+                   std::size_t u, std::size_t count, ByteBatch& out) {
+    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(DI()))
+        store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
 }
 
 void place_bytes(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
-                 const Span& span, ByteBatch& out) {
-    const std::array<Near, lane_units> near{Near(t, c, s, 0), Near(t, c, s, 1)};
-    if (same_q(near[0], near[1])) return place_near(t, c, s, 0, s.units, near, span, out);
+                 std::size_t count, ByteBatch& out) {
+    const Reach reach = reach_of(t);
+    const std::array<Near, lane_units> near{Near(t, reach, c, s, 0), Near(t, reach, c, s, 1)};
+    if (same_q(near[0], near[1])) return place_near(t, c, s, 0, s.units, near, count, out);
     for (std::size_t u = 0; u < s.units; ++u) {
         if (near[u].usable)
-            place_near(t, c, s, u, 1, near, span, out);
+            place_near(t, c, s, u, 1, near, count, out);
         else
-            place_exactly(t, c, s.unit[u], u, span, out);
+            place_exactly(t, c, s, u, count, out);
     }
 }
 
 template <class Real>
 void place_reals(const Triangle& t, const Corners<Real>& c, const Unit<Color<Real>>& unit,
-                 std::size_t u, const Span& span, RealBatch<Real>& out) {
+                 std::size_t u, std::size_t count, RealBatch<Real>& out) {
     const Narrow<Real> r;
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(r)) {
-        const auto f = footprint(r, unit, coordinates_at(t, c, u, weights_at(t, span, i)));
-        hn::StoreU(f.offset, I(), out.offset[u].data() + out.size + i);
-        hn::StoreU(f.a, r, out.a[u].data() + out.size + i);
-        hn::StoreU(f.b, r, out.b[u].data() + out.size + i);
+    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(r)) {
+        const Weights w = weights_at(t, out.places.at.data() + i);
+        const auto f = footprint(r, unit, coordinates_at(t, c, u, w));
+        hn::StoreU(f.offset, I(), out.offset[u].data() + i);
+        hn::StoreU(f.a, r, out.a[u].data() + i);
+        hn::StoreU(f.b, r, out.b[u].data() + i);
     }
 }
 
 /// Nv17::iterate_color.
-void iterate_bytes(const Triangle& t, const Corners<double>& c, const Span& span,
-                   std::uint32_t* out) {
+void iterate_bytes(const Triangle& t, const Corners<double>& c, const std::int32_t* at,
+                   std::size_t count, std::uint32_t* out) {
     const D d;
     const I di;
     const V steps = hn::Set(d, 256.0);
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(d)) {
-        const Weights w = weights_at(t, span, i);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const Weights w = weights_at(t, at + i);
         V l0 = w.e0, l2 = w.e2, sum = hn::Set(d, t.area);
         if (!t.equal_w) {
             l0 = hn::Mul(w.e0, hn::Set(d, t.inverse_w[0]));
@@ -198,20 +243,21 @@ void iterate_bytes(const Triangle& t, const Corners<double>& c, const Span& span
 
 /// RealModel::iterate_color, the four channels of a fragment side by side.
 template <class Real>
-void iterate_reals(const Triangle& t, const Corners<Real>& c, const Span& span, Color<Real>* out) {
+void iterate_reals(const Triangle& t, const Corners<Real>& c, const std::int32_t* at,
+                   std::size_t size, Color<Real>* out) {
     const Narrow<Real> r;
     const hn::CappedTag<Real, 4> four;
     alignas(64) Real l1[hn::MaxLanes(r)], l2[hn::MaxLanes(r)], sum[hn::MaxLanes(r)];
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(r)) {
-        const Weights w = weights_at(t, span, i);
+    for (std::size_t i = 0; i < size; i += hn::Lanes(r)) {
+        const Weights w = weights_at(t, at + i);
         const auto over = [&](V e, std::size_t k) HWY_ATTR {
-            return hn::Mul(as_real(r, e), hn::Set(r, static_cast<Real>(t.inverse_w[k])));
+            return hn::Mul(narrowed(r, e), hn::Set(r, static_cast<Real>(t.inverse_w[k])));
         };
         const auto p0 = over(w.e0, 0), p1 = over(w.e1, 1), p2 = over(w.e2, 2);
         hn::StoreU(p1, r, l1);
         hn::StoreU(p2, r, l2);
         hn::StoreU(hn::Add(hn::Add(p0, p1), p2), r, sum);
-        const std::size_t count = HWY_MIN(hn::Lanes(r), span.size - i);
+        const std::size_t count = HWY_MIN(hn::Lanes(r), size - i);
         for (std::size_t k = 0; k < count; ++k)
             for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
                 const auto c0 = hn::LoadU(four, c.reals[0].data() + ch);
@@ -225,48 +271,36 @@ void iterate_reals(const Triangle& t, const Corners<Real>& c, const Span& span, 
     }
 }
 
-void copy_places(const Span& span, BatchPlaces& out, std::size_t size) {
-    const D d;
-    const I di;
-    auto* const at = reinterpret_cast<std::int32_t*>(out.at.data() + size);
-    for (std::size_t i = 0; i < span.size; i += hn::Lanes(d)) {
-        hn::StoreU(hn::DemoteTo(di, hn::Load(d, span.at.data() + i)), di, at + i);
-        hn::StoreU(hn::Load(d, span.z.data() + i), d, out.z.data() + size + i);
-    }
-}
-
 void interpolate_u8(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
-                    const Span& span, ByteBatch& out) {
-    place_bytes(t, c, s, span, out);
-    copy_places(span, out.places, out.size);
-    if (c.one_color) {
-        const std::uint32_t color = packed_bytes(c.bytes[0]);
-        for (std::size_t i = 0; i < span.size; ++i) out.color[out.size + i] = color;
-    } else {
-        iterate_bytes(t, c, span, out.color.data() + out.size);
-    }
-    out.size += span.size;
+                    std::size_t count, ByteBatch& out) {
+    place_bytes(t, c, s, count, out);
+    std::uint32_t* const color = out.color.data() + out.size;
+    if (c.one_color)
+        std::fill_n(color, count, packed_bytes(c.bytes[0]));
+    else
+        iterate_bytes(t, c, out.places.at.data() + out.size, count, color);
+    out.size += count;
 }
 
 template <class Real>
 void interpolate_reals(const Triangle& t, const Corners<Real>& c, const Shader<Color<Real>>& s,
-                       const Span& span, RealBatch<Real>& out) {
-    for (std::size_t u = 0; u < s.units; ++u) place_reals(t, c, s.unit[u], u, span, out);
-    copy_places(span, out.places, out.size);
+                       std::size_t count, RealBatch<Real>& out) {
+    for (std::size_t u = 0; u < s.units; ++u) place_reals(t, c, s.unit[u], u, count, out);
+    Color<Real>* const color = out.color.data() + out.size;
     if (c.one_color)
-        for (std::size_t i = 0; i < span.size; ++i) out.color[out.size + i] = c.reals[0];
+        std::fill_n(color, count, c.reals[0]);
     else
-        iterate_reals(t, c, span, out.color.data() + out.size);
-    out.size += span.size;
+        iterate_reals(t, c, out.places.at.data() + out.size, count, color);
+    out.size += count;
 }
 
 void interpolate_f64(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
-                     const Span& span, RealBatch<double>& out) {
-    interpolate_reals(t, c, s, span, out);
+                     std::size_t count, RealBatch<double>& out) {
+    interpolate_reals(t, c, s, count, out);
 }
 void interpolate_f32(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
-                     const Span& span, RealBatch<float>& out) {
-    interpolate_reals(t, c, s, span, out);
+                     std::size_t count, RealBatch<float>& out) {
+    interpolate_reals(t, c, s, count, out);
 }
 
 }  // namespace
@@ -282,16 +316,16 @@ HWY_EXPORT(interpolate_f64);
 HWY_EXPORT(interpolate_f32);
 
 void interpolate(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
-                 const Span& span, ByteBatch& out) {
-    HWY_DYNAMIC_DISPATCH(interpolate_u8)(t, c, s, span, out);
+                 std::size_t count, ByteBatch& out) {
+    HWY_DYNAMIC_DISPATCH(interpolate_u8)(t, c, s, count, out);
 }
 void interpolate(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
-                 const Span& span, RealBatch<double>& out) {
-    HWY_DYNAMIC_DISPATCH(interpolate_f64)(t, c, s, span, out);
+                 std::size_t count, RealBatch<double>& out) {
+    HWY_DYNAMIC_DISPATCH(interpolate_f64)(t, c, s, count, out);
 }
 void interpolate(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
-                 const Span& span, RealBatch<float>& out) {
-    HWY_DYNAMIC_DISPATCH(interpolate_f32)(t, c, s, span, out);
+                 std::size_t count, RealBatch<float>& out) {
+    HWY_DYNAMIC_DISPATCH(interpolate_f32)(t, c, s, count, out);
 }
 
 }  // namespace twofold::lanes

@@ -131,23 +131,26 @@ HWY_INLINE V near_reciprocal(V q) {
 
 /// Whether a unit's coordinates may be found by reciprocals.
 inline bool knows_reciprocals(const Unit<std::uint32_t>& unit) {
-    return unit.linear && unit.divide_by_q && !unit.in_texels &&
-           unit.wrap_s == Wrap::clamp_to_edge && unit.wrap_t == Wrap::clamp_to_edge &&
-           unit.image.width <= 4096 && unit.image.height <= 4096;
+    return unit.divide_by_q && !unit.in_texels && unit.wrap_s == Wrap::clamp_to_edge &&
+           unit.wrap_t == Wrap::clamp_to_edge && unit.image.width <= 4096 &&
+           unit.image.height <= 4096;
 }
 
-/// The footprint at a place from the centre of texel (0, 0) in 1/256 texel, floored; LINEAR and
-/// CLAMP_TO_EDGE.
-HWY_INLINE Footprint8 footprint_at(const Image<std::uint32_t>& image, V x, V y) {
-    const D d;
-    const I di;
-    const auto held = [&](V v, int size) HWY_ATTR {
-        return hn::DemoteTo(
-            di, hn::Min(hn::Max(v, hn::Zero(d)), hn::Set(d, 256.0 * (size - 1))));
+/// Footprints of a full vector of fragments.
+struct Footprints {
+    VI offset, weights;
+};
+
+/// The footprints at places in 1/256 texel, floored, from where the lesser texel of a footprint is
+/// texel (0, 0); CLAMP_TO_EDGE.
+HWY_INLINE Footprints footprints_at(const Image<std::uint32_t>& image, VI x, VI y) {
+    const DI di;
+    const auto held = [&](VI v, int size) HWY_ATTR {
+        return hn::Min(hn::Max(v, hn::Zero(di)), hn::Set(di, 256 * (size - 1)));
     };
-    const auto ix = held(x, image.width), iy = held(y, image.height), low = hn::Set(di, 255);
-    const auto line = hn::Mul(hn::ShiftRight<8>(iy), hn::Set(di, image.stride));
-    const auto first = hn::Set(di, image.stride + 1);
+    const VI ix = held(x, image.width), iy = held(y, image.height), low = hn::Set(di, 255);
+    const VI line = hn::Mul(hn::ShiftRight<8>(iy), hn::Set(di, image.stride));
+    const VI first = hn::Set(di, image.stride + 1);
     return {hn::Add(hn::Add(line, hn::ShiftRight<8>(ix)), first),
             hn::Or(hn::And(ix, low), hn::ShiftLeft<16>(hn::And(iy, low)))};
 }

@@ -1,6 +1,8 @@
 // What the vector loops share, compiled once for each instruction set: no #pragma once.
 #include <hwy/highway.h>
 
+#include "raster/lanes.hpp"
+
 #if defined(TWOFOLD_LANE_MATH) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWOFOLD_LANE_MATH
 #undef TWOFOLD_LANE_MATH
@@ -19,18 +21,40 @@ using V = hn::Vec<D>;
 using Mask = hn::Mask<D>;
 using I = hn::Rebind<std::int32_t, D>;
 
-/// How near to an integer a number may be before its floor is in doubt. Products with a reciprocal
-/// stray from quotients by less.
-constexpr double doubt = 0x1p-20;
+using U = hn::RebindToUnsigned<D>;
 
-/// Whether a lane's floor could be another's if the numbers were computed with divisions.
-HWY_INLINE bool in_doubt(V x, V floor_x, V y, V floor_y) {
-    const D d;
-    const V a = hn::Sub(x, floor_x), b = hn::Sub(y, floor_y);
-    return !hn::AllFalse(d, hn::Or(hn::Lt(hn::Min(a, b), hn::Set(d, doubt)),
-                                   hn::Gt(hn::Max(a, b), hn::Set(d, 1.0 - doubt))));
+/// Fragments are walked by vectors of 32-bit integers, which take two of binary64.
+using DI = hn::ScalableTag<std::int32_t>;
+using VI = hn::Vec<DI>;
+struct Two {
+    V low, high;
+};
+
+HWY_INLINE Two as_real(VI v) {
+    return {hn::PromoteTo(D(), hn::LowerHalf(I(), v)), hn::PromoteTo(D(), hn::UpperHalf(I(), v))};
 }
-HWY_INLINE bool in_doubt(V x, V floor_x) { return in_doubt(x, floor_x, x, floor_x); }
+
+HWY_INLINE V at(const Plane& p, V x, V y) {
+    const D d;
+    return hn::Add(hn::Set(d, p.first),
+                   hn::Add(hn::Mul(x, hn::Set(d, p.dx)), hn::Mul(y, hn::Set(d, p.dy))));
+}
+
+/// A number below 2^31 in magnitude rounded to units of 2^-19, in the lower bits of a word.
+HWY_INLINE hn::Vec<U> fixed(V x) { return hn::BitCast(U(), hn::Add(x, hn::Set(D(), 0x1.8p33))); }
+
+/// Whether the floor of such a number could be another's that is within 2^-21 of it.
+HWY_INLINE hn::Mask<U> in_doubt(hn::Vec<U> x) {
+    const U u;
+    return hn::Eq(hn::And(hn::Add(x, hn::Set(u, 1)), hn::Set(u, 0x7fffe)), hn::Zero(u));
+}
+
+/// The floors of two vectors of such numbers.
+HWY_INLINE VI floors(hn::Vec<U> low, hn::Vec<U> high) {
+    const DI di;
+    return hn::ConcatEven(di, hn::BitCast(di, hn::ShiftRight<19>(high)),
+                          hn::BitCast(di, hn::ShiftRight<19>(low)));
+}
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -12,22 +12,35 @@
 /// presets' models compute, in the same order, so that the bits are the same.
 namespace twofold::lanes {
 
-inline constexpr int tile_edge = 128;  ///< pixels
+inline constexpr int tile_edge_bits = 7;
+inline constexpr int tile_edge = 1 << tile_edge_bits;  ///< pixels
 inline constexpr std::size_t tile_pixels = std::size_t{tile_edge} * tile_edge;
 inline constexpr std::size_t widest = 16;          ///< lanes that a load or store may run past an end
 inline constexpr std::size_t lane_units = 2;         ///< texture units that vectors know
-inline constexpr std::size_t span_capacity = 192;   ///< pixels of a triangle covered at once
+inline constexpr std::size_t cover_capacity = 192;   ///< pixels of a triangle covered at once
 inline constexpr std::size_t batch_capacity = 256;  ///< fragments shaded at once
 
-/// A triangle inside a tile. Doubled areas e[k] are integers below 2^52 at every pixel of the tile,
-/// so binary64 holds them exactly.
+/// A number that is linear in the window: first + x dx + y dy, x and y in pixels from a triangle's
+/// (x0, y0).
+struct Plane {
+    double first, dx, dy;
+};
+
+/// The same as integers: where one of a triangle's three is negative no pixel is covered.
+struct CoverEdge {
+    std::int32_t first, dx, dy;
+};
+
+/// A triangle inside a tile. Doubled areas are integers below 2^52 at every pixel of the tile, so
+/// binary64 holds them exactly.
 struct Triangle {
-    std::array<double, 3> e, dx, dy;  ///< at the centre of pixel (x0, y0); a pixel to the right, below
-    std::array<double, 3> least;      ///< 0 where the edge holds its own points, else 1
-    double area, over_area;           ///< the sum of the three, and 1 over it
-    int x0, y0, x1, y1;               ///< pixels to visit, relative to the tile
-    double z0, dz1, dz2;              ///< depth of vertex 0 and what the others have more
-    bool moderate_depth;              ///< none of these exceeds 2
+    std::array<CoverEdge, 3> cover;  ///< 0 for an edge that has all pixels to visit on its inner side
+    std::array<Plane, 3> e;          ///< doubled areas opposite each vertex
+    double area;                     ///< the sum of the three
+    int x0, y0, x1, y1;              ///< pixels to visit, relative to the tile
+    double z0, dz1, dz2;             ///< depth of vertex 0 and what the others have more
+    Plane near_depth;                ///< depth in units of the buffer, to 2^-21 if it is usable
+    bool near_depth_usable;
     std::array<double, 3> inverse_w;
     bool equal_w;
 };
@@ -41,25 +54,14 @@ struct DepthRule {
     double steps = 0.0, half = 0.0;  ///< integer = z steps + half, cut; unused for binary64 depth
 };
 
-/// Covered pixels of one triangle, rows from the top, left to right.
-struct Span {
-    static constexpr std::size_t room = span_capacity + 2 * tile_edge;
-    template <class T>
-    using Column = std::array<T, room>;
-    std::size_t size = 0;
-    alignas(64) Column<double> e1, e2;
-    alignas(64) Column<double> at;  ///< number of the pixel in the tile
-    alignas(64) Column<double> z;   ///< as the depth buffer holds it, unless it was decided early
-};
-
-inline constexpr std::size_t batch_room = batch_capacity + Span::room + 2 * widest;
+inline constexpr std::size_t batch_room = batch_capacity + cover_capacity + 2 * tile_edge + 2 * widest;
 template <class T>
 using BatchColumn = std::array<T, batch_room>;
 
-/// Where a batch's fragments lie.
+/// Where a batch's fragments lie: triangle after triangle, rows from the top, left to right.
 struct BatchPlaces {
-    alignas(64) BatchColumn<std::uint32_t> at;  ///< number of the pixel in the tile
-    alignas(64) BatchColumn<double> z;
+    alignas(64) BatchColumn<std::int32_t> at;  ///< number of the pixel in the tile
+    alignas(64) BatchColumn<double> z;         ///< as the depth buffer holds it, unless it was decided early
 };
 
 /// Fragments of one pass, perhaps of several triangles, of an 8-bit preset: colours have red in the
@@ -120,23 +122,36 @@ struct Corners {
     std::array<Color<Real>, 3> reals;
 };
 
-/// Covers rows of the tile from `row` until the span is full or the triangle ends, tests and writes
-/// depth as the rule says, and returns the row to go on with.
-int cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row, Span& out);
-int cover(const Triangle& t, const DepthRule& rule, double* depth, int row, Span& out);
+/// Where covering a triangle stands: the row to go on with, and the fragments found.
+struct Covered {
+    int row;
+    std::size_t count;
+};
 
-/// Appends a span's fragments to a batch: their footprints in each unit's texture, and colours.
+/// Covers rows of the tile from `row` until `cover_capacity` pixels are found or the triangle ends,
+/// tests and writes depth as the rule says, and puts the fragments behind the first `size` of a
+/// batch.
+Covered cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row,
+              std::size_t size, BatchPlaces& out);
+Covered cover(const Triangle& t, const DepthRule& rule, double* depth, int row, std::size_t size,
+              BatchPlaces& out);
+
+/// Adds to a batch the `count` fragments that have their places behind its last: their footprints
+/// in each unit's texture, and colours.
 void interpolate(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
-                 const Span& span, ByteBatch& out);
+                 std::size_t count, ByteBatch& out);
 void interpolate(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
-                 const Span& span, RealBatch<double>& out);
+                 std::size_t count, RealBatch<double>& out);
 void interpolate(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
-                 const Span& span, RealBatch<float>& out);
+                 std::size_t count, RealBatch<float>& out);
 
 /// Looks textures up and combines them with the colours. Real ones are not yet limited to [0, 1].
 void shade(const Shader<std::uint32_t>& s, ByteBatch& batch);
 void shade(const Shader<Color<double>>& s, RealBatch<double>& batch);
 void shade(const Shader<Color<float>>& s, RealBatch<float>& batch);
+
+/// Puts a batch's colours to their pixels. The tile's rows lie `stride` pixels apart.
+void write_colors(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride);
 
 /// The fragments' real colours as bytes: floor(255 x + 1/2) of x limited to [0, 1].
 void round_to_bytes(RealBatch<double>& batch);

@@ -53,6 +53,23 @@ HWY_INLINE Texels8 gathered(const std::uint32_t* base, hn::Vec<S32> at) {
     return unpacked(hn::GatherIndex(U32(), base, at));
 }
 
+/// Texels side by side at as many places as there are 32-bit lanes.
+struct Pairs {
+    Texels8 left, right;
+};
+
+using U64 = hn::Repartition<std::uint64_t, U32>;
+using S64 = hn::RebindToSigned<U64>;
+
+/// Two texels are read at once: half as many loads.
+HWY_INLINE Pairs pairs_at(const std::uint32_t* base, hn::Vec<S64> low, hn::Vec<S64> high) {
+    const U32 d;
+    const auto* const words = reinterpret_cast<const std::uint64_t*>(base);
+    const auto l = hn::BitCast(d, hn::GatherOffset(U64(), words, low));
+    const auto h = hn::BitCast(d, hn::GatherOffset(U64(), words, high));
+    return {unpacked(hn::ConcatEven(d, h, l)), unpacked(hn::ConcatOdd(d, h, l))};
+}
+
 /// Nv17::filter on all four channels.
 HWY_INLINE Texels8 filtered(const Image<std::uint32_t>& image, hn::Vec<S32> at,
                             hn::Vec<U32> weights) {
@@ -60,11 +77,14 @@ HWY_INLINE Texels8 filtered(const Image<std::uint32_t>& image, hn::Vec<S32> at,
     const auto high = hn::ShiftRight<16>(weights);
     const Bytes a = hn::BitCast(U16(), hn::Or(low, hn::ShiftLeft<16>(low)));
     const Bytes b = hn::BitCast(U16(), hn::Or(high, hn::ShiftLeft<16>(high)));
-    const std::uint32_t* const next = image.texels + image.stride;
-    const Texels8 t00 = gathered(image.texels, at), t10 = gathered(image.texels + 1, at);
-    const Texels8 t01 = gathered(next, at), t11 = gathered(next + 1, at);
-    return {flerp16(flerp16(t00.rb, t10.rb, a), flerp16(t01.rb, t11.rb, a), b),
-            flerp16(flerp16(t00.ga, t10.ga, a), flerp16(t01.ga, t11.ga, a), b)};
+    const hn::Half<S32> half;
+    const auto bytes = hn::ShiftLeft<2>(at);
+    const auto at_low = hn::PromoteTo(S64(), hn::LowerHalf(half, bytes));
+    const auto at_high = hn::PromoteTo(S64(), hn::UpperHalf(half, bytes));
+    const Pairs top = pairs_at(image.texels, at_low, at_high);
+    const Pairs next = pairs_at(image.texels + image.stride, at_low, at_high);
+    return {flerp16(flerp16(top.left.rb, top.right.rb, a), flerp16(next.left.rb, next.right.rb, a), b),
+            flerp16(flerp16(top.left.ga, top.right.ga, a), flerp16(next.left.ga, next.right.ga, a), b)};
 }
 
 /// MODULATE with its scales, or REPLACE.
@@ -102,6 +122,27 @@ void shade_bytes(const Shader<std::uint32_t>& s, ByteBatch& batch) {
                              color);
         }
         hn::StoreU(repacked(color), d, batch.color.data() + i);
+    }
+}
+
+/// Rows of a triangle lie side by side in the picture: whole vectors of them are stored at once.
+void write_bytes(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride) {
+    const S32 d;
+    const auto iota = hn::Iota(d, 0);
+    alignas(64) std::array<std::int32_t, widest> to;
+    for (std::size_t i = 0; i < batch.size; i += hn::Lanes(d)) {
+        const std::size_t count = HWY_MIN(hn::Lanes(d), batch.size - i);
+        const auto at = hn::LoadU(d, batch.places.at.data() + i);
+        const std::uint32_t* const color = batch.color.data() + i;
+        const auto row = hn::Mul(hn::ShiftRight<tile_edge_bits>(at),
+                                 hn::Set(d, static_cast<std::int32_t>(stride)));
+        const auto places = hn::Add(row, hn::And(at, hn::Set(d, tile_edge - 1)));
+        hn::Store(places, d, to.data());
+        const bool in_line = hn::AllTrue(d, hn::Eq(places, hn::Add(hn::Set(d, to[0]), iota)));
+        if (in_line && count == hn::Lanes(d))
+            hn::StoreU(hn::LoadU(U32(), color), U32(), tile + to[0]);
+        else
+            for (std::size_t k = 0; k < count; ++k) tile[to[k]] = color[k];
     }
 }
 
@@ -199,6 +240,7 @@ HWY_EXPORT(shade_bytes);
 HWY_EXPORT(shade_f64);
 HWY_EXPORT(shade_f32);
 HWY_EXPORT(round_f64);
+HWY_EXPORT(write_bytes);
 
 void shade(const Shader<std::uint32_t>& s, ByteBatch& batch) {
     HWY_DYNAMIC_DISPATCH(shade_bytes)(s, batch);
@@ -208,6 +250,9 @@ void shade(const Shader<Color<double>>& s, RealBatch<double>& batch) {
 }
 void shade(const Shader<Color<float>>& s, RealBatch<float>& batch) {
     HWY_DYNAMIC_DISPATCH(shade_f32)(s, batch);
+}
+void write_colors(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride) {
+    HWY_DYNAMIC_DISPATCH(write_bytes)(batch, tile, stride);
 }
 void round_to_bytes(RealBatch<double>& batch) { HWY_DYNAMIC_DISPATCH(round_f64)(batch); }
 

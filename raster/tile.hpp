@@ -5,6 +5,7 @@
 
 #include "raster/fragment.hpp"
 #include "raster/lane_image.hpp"
+#include "raster/tile_edges.hpp"
 #include "raster/window_mesh.hpp"
 
 /// A square of the picture with everything that is drawn into it. One thread owns a tile from its
@@ -50,25 +51,28 @@ template <NumericModel M>
 using LaneBatch = std::conditional_t<lane_kind<M>() == LaneKind::reals,
                                      lanes::RealBatch<typename M::Real>, lanes::ByteBatch>;
 
-/// What a thread needs to draw a tile.
+/// What a thread needs to draw a tile. Colours go to the picture, depth is the tile's own.
 template <NumericModel M>
 struct TileMemory {
     using Depth = typename M::Depth;
     int x0 = 0, y0 = 0;
     ColorFormat format{};
     int depth_bits = 24;
-    alignas(64) std::array<StoredColor<M>, lanes::tile_pixels> color;
+    StoredColor<M>* color = nullptr;  ///< of the tile's first pixel
+    std::size_t stride = 0;           ///< pixels from a row of the picture to the next
     alignas(64) std::array<Depth, lanes::tile_pixels + lanes::widest> depth;
-    lanes::Span span;
     LaneBatch<M> batch;
 
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * lanes::tile_edge +
                static_cast<std::size_t>(x - x0);
     }
-    Color<typename M::Pixel> color_at(std::size_t i) const { return pixel_color<M>(color[i]); }
+    StoredColor<M>& stored_at(std::size_t i) const {
+        return color[(i >> lanes::tile_edge_bits) * stride + i % lanes::tile_edge];
+    }
+    Color<typename M::Pixel> color_at(std::size_t i) const { return pixel_color<M>(stored_at(i)); }
     void store_color(std::size_t i, const Color<typename M::Pixel>& c) {
-        color[i] = stored_color<M>(c);
+        stored_at(i) = stored_color<M>(c);
     }
     Depth& depth_at(std::size_t i) { return depth[i]; }
 };
@@ -93,18 +97,6 @@ class TileMemoryPool {
     std::mutex mutex_;
     std::vector<std::unique_ptr<TileMemory<M>>> free_;
 };
-
-/// Whether the doubled areas of a triangle are exact in binary64 all over a tile.
-inline bool exact_in_tile(const TriangleSetup& setup, const std::array<std::int64_t, 3>& e,
-                          std::int64_t one) {
-    constexpr std::int64_t limit = std::int64_t{1} << 52;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t a = setup.edge[k].a, b = setup.edge[k].b;
-        const std::int64_t reach = ((a < 0 ? -a : a) + (b < 0 ? -b : b)) * one * lanes::tile_edge;
-        if ((e[k] < 0 ? -e[k] : e[k]) + reach >= limit) return false;
-    }
-    return setup.doubled_area < limit;
-}
 
 /// One triangle of one pass on its way into one tile.
 template <NumericModel M>
@@ -141,32 +133,33 @@ bool on_lanes(const TileTriangle<M>& t) {
     return true;
 }
 
-/// The triangle as the vector loops take it; its first pixel is the first of `t.pixels`.
+/// The triangle as the vector loops take it: depth.
+template <NumericModel M>
+void add_depth(const TileTriangle<M>& t, lanes::Triangle& out) {
+    out.z0 = corner(t, 0).z;
+    out.dz1 = corner(t, 1).z - out.z0;
+    out.dz2 = corner(t, 2).z - out.z0;
+    out.near_depth_usable = set_near_depth(t.pass.depth, out);
+}
+
+/// The triangle as the vector loops take it.
+/// @param edges  of the same triangle in the tile
 template <NumericModel M>
 lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& tile,
-                              const std::array<std::int64_t, 3>& e, std::int64_t one) {
+                              const TileEdges& edges) {
     lanes::Triangle out{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const EdgeFunction& edge = t.setup.edge[k];
-        out.e[k] = static_cast<double>(e[k]);
-        out.dx[k] = static_cast<double>(edge.a * one);
-        out.dy[k] = static_cast<double>(edge.b * one);
-        out.least[k] = edge.holds_its_points ? 0.0 : 1.0;
-        out.inverse_w[k] = static_cast<double>(corner(t, k).inverse_w);
-    }
+    out.cover = edges.cover;
+    out.e = edges.e;
     out.area = static_cast<double>(t.setup.doubled_area);
-    out.over_area = 1.0 / out.area;
     out.x0 = static_cast<int>(t.pixels.x0) - tile.x0;
     out.y0 = static_cast<int>(t.pixels.y0) - tile.y0;
     out.x1 = static_cast<int>(t.pixels.x1) - tile.x0;
     out.y1 = static_cast<int>(t.pixels.y1) - tile.y0;
-    out.z0 = corner(t, 0).z;
-    out.dz1 = corner(t, 1).z - out.z0;
-    out.dz2 = corner(t, 2).z - out.z0;
-    const auto moderate = [](double x) { return x >= -2.0 && x <= 2.0; };
-    out.moderate_depth = moderate(out.z0) && moderate(out.dz1) && moderate(out.dz2);
+    for (std::size_t k = 0; k < 3; ++k)
+        out.inverse_w[k] = static_cast<double>(corner(t, k).inverse_w);
     out.equal_w =
         out.inverse_w[0] == out.inverse_w[1] && out.inverse_w[1] == out.inverse_w[2];
+    if (t.pass.depth.computed) add_depth(t, out);
     return out;
 }
 
@@ -208,6 +201,23 @@ StoredColor<M> shaded_color(const M& m, const TileMemory<M>& tile, std::size_t i
     }
 }
 
+/// Finishes a shaded fragment: the tests that are left, the blend and the write.
+template <NumericModel M>
+void finish_fragment(const TilePass<M>& pass, std::size_t i, bool certain, TileMemory<M>& tile) {
+    const auto at = static_cast<std::size_t>(tile.batch.places.at[i]);
+    const StoredColor<M> color = shaded_color(pass.bound.m, tile, i);
+    const auto depth = [&] { return static_cast<typename M::Depth>(tile.batch.places.z[i]); };
+    DrawCounters ignored;
+    if (!certain && !survives(pass.bound, pixel_color<M>(color)[3], at, depth, tile, ignored))
+        return;
+    if (pass.plain_write)
+        tile.stored_at(at) = color;
+    else
+        write_color(pass.bound, pixel_color<M>(color),
+                    tile.x0 + static_cast<int>(at % lanes::tile_edge),
+                    tile.y0 + static_cast<int>(at / lanes::tile_edge), tile);
+}
+
 /// Shades the batch's fragments and finishes them in their order.
 /// @param certain  they have passed the alpha test, and the depth test if the rule decides early
 template <NumericModel M>
@@ -217,22 +227,13 @@ void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
     lanes::shade(pass.shader, batch);
     if constexpr (lane_kind<M>() == LaneKind::reals && std::is_integral_v<typename M::Pixel>)
         lanes::round_to_bytes(batch);
-    const M& m = pass.bound.m;
-    DrawCounters ignored;
-    for (std::size_t i = 0; i < batch.size; ++i) {
-        const std::size_t at = batch.places.at[i];
-        const StoredColor<M> color = shaded_color(m, tile, i);
-        const auto depth = [&] { return static_cast<typename M::Depth>(batch.places.z[i]); };
-        if (!certain &&
-            !survives(pass.bound, pixel_color<M>(color)[3], at, depth, tile, ignored))
-            continue;
-        if (pass.plain_write)
-            tile.color[at] = color;
-        else
-            write_color(pass.bound, pixel_color<M>(color),
-                        tile.x0 + static_cast<int>(at % lanes::tile_edge),
-                        tile.y0 + static_cast<int>(at / lanes::tile_edge), tile);
+    bool written = false;
+    if constexpr (lane_kind<M>() == LaneKind::bytes) {
+        written = certain && pass.plain_write;
+        if (written) lanes::write_colors(batch, tile.color, tile.stride);
     }
+    if (!written)
+        for (std::size_t i = 0; i < batch.size; ++i) finish_fragment(pass, i, certain, tile);
     batch.size = 0;
 }
 
@@ -247,8 +248,11 @@ void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileM
     if (!waits) flush(t.pass, true, tile);
     const auto corners = lane_corners(t);
     for (int row = edges.y0; row < edges.y1;) {
-        row = lanes::cover(edges, rule, tile.depth.data(), row, tile.span);
-        lanes::interpolate(edges, corners, t.pass.shader, tile.span, tile.batch);
+        const lanes::Covered covered = lanes::cover(edges, rule, tile.depth.data(), row,
+                                                    tile.batch.size, tile.batch.places);
+        row = covered.row;
+        if (covered.count == 0) continue;
+        lanes::interpolate(edges, corners, t.pass.shader, covered.count, tile.batch);
         if (!waits || tile.batch.size >= lanes::batch_capacity) flush(t.pass, t.certain, tile);
     }
 }
@@ -257,13 +261,11 @@ void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileM
 template <NumericModel M>
 void draw_triangle(const TileTriangle<M>& t, TileMemory<M>& tile) {
     const int bits = t.pass.bound.m.snap().fraction_bits;
-    const std::int64_t one = std::int64_t{1} << bits;
     if constexpr (lane_kind<M>() != LaneKind::none) {
-        const WindowPoint first{t.pixels.x0 * one + one / 2, t.pixels.y0 * one + one / 2};
-        const std::array<std::int64_t, 3> e{t.setup.edge[0].at(first), t.setup.edge[1].at(first),
-                                            t.setup.edge[2].at(first)};
-        if (on_lanes(t) && exact_in_tile(t.setup, e, one))
-            return draw_on_lanes(t, lane_triangle(t, tile, e, one), tile);
+        const TileEdges edges = edges_in_tile(t.setup, t.pixels, bits);
+        if (edges.none_covered) return;
+        if (edges.usable && on_lanes(t))
+            return draw_on_lanes(t, lane_triangle(t, tile, edges), tile);
         flush(t.pass, true, tile);
     }
     const WindowTriangle<M> triangle = window_triangle(*t.pass.mesh, t.triangle, t.pass.set_of);

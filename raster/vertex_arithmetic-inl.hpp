@@ -15,8 +15,6 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
-using U = hn::RebindToUnsigned<D>;
-
 HWY_INLINE V set(double x) { return hn::Set(D(), x); }
 HWY_INLINE V masked(V v, std::uint64_t bits) {
     return hn::BitCast(D(), hn::And(hn::BitCast(U(), v), hn::Set(U(), bits)));
