@@ -1,10 +1,10 @@
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "raster/alpha_lanes.hpp"
 #include "raster/alpha_outcome.hpp"
 #include "raster/bind.hpp"
 #include "raster/lane_image.hpp"
@@ -15,23 +15,21 @@
 /// in one of them.
 namespace twofold {
 
-/// What is known of the alpha that a unit's lookups give all over a triangle.
+/// What is known of the alpha that a unit's lookups give all over a triangle; as find_alphas() of
+/// alpha_lanes.hpp numbers it.
 enum class AlphaKnown : std::uint8_t { nothing, zero, one };
 
-/// A unit's lookup as far as its alpha goes: the set of coordinates, and a grid of cells of the image
-/// with how many below and left of each place hold alpha 0 only, or alpha 1 only.
+/// A unit's lookup as far as its alpha goes: the set of coordinates, and lanes::AlphaGrid with its
+/// memory.
 struct AlphaLookup {
-    struct Count {
-        std::uint32_t zeros, ones;
-        bool operator==(const Count&) const = default;
-    };
     std::size_t set;
     int width, height;
     bool in_texels, divide_by_q;
     int cell_bits;      ///< a cell has 2^cell_bits texels a side
     int columns, rows;  ///< cells
-    std::vector<Count> count;  ///< (columns + 1) x (rows + 1), rows bottom up
+    std::vector<std::uint32_t> count;
 
+    lanes::AlphaGrid grid() const { return {width, height, cell_bits, columns, count.data()}; }
     bool operator==(const AlphaLookup&) const = default;
 };
 
@@ -74,73 +72,55 @@ AlphaLookup alpha_lookup(const M& m, const BoundUnit<M>& unit, std::size_t set) 
     const auto stride = static_cast<std::size_t>(columns) + 1;
     lookup.count.resize(stride * (static_cast<std::size_t>(rows) + 1));
     for (int j = 0; j < rows; ++j) {
-        AlphaLookup::Count left{0, 0};
+        std::uint32_t left = 0;
         for (int i = 0; i < columns; ++i) {
             const AlphaKnown known = cell_alpha(m, image, cell, i, j);
-            left.zeros += known == AlphaKnown::zero;
-            left.ones += known == AlphaKnown::one;
+            left += known == AlphaKnown::zero ? 1u : (known == AlphaKnown::one ? 1u << 16 : 0u);
             const std::size_t at = static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i);
-            const AlphaLookup::Count& below = lookup.count[at + 1];
-            lookup.count[at + stride + 1] = {below.zeros + left.zeros, below.ones + left.ones};
+            lookup.count[at + stride + 1] = lookup.count[at + 1] + left;
         }
     }
     return lookup;
 }
 
-/// A place in an image, in texels; rounded to binary32, which the margins below allow for.
-struct TexelPlace {
-    float u, v;
+/// Places of vertices in an image, in texels; rounded to binary32, which the margins of
+/// alpha_lanes.cpp allow for.
+struct TexelColumns {
+    std::vector<float> u, v;
 };
 
 template <class Real>
-TexelPlace texel_place(const AlphaLookup& lookup, const std::array<Real, 4>& coords) {
-    const double over_q = lookup.divide_by_q ? 1.0 / static_cast<double>(coords[3]) : 1.0;
-    const auto along = [&](Real s, int size) {
-        const double u = static_cast<double>(s) * (lookup.in_texels ? 1 : size) * over_q;
+void place_texels(const AlphaLookup& lookup, const std::vector<std::array<Real, 4>>& coords,
+                  TexelColumns& out) {
+    out.u.resize(coords.size());
+    out.v.resize(coords.size());
+    const double width = lookup.in_texels ? 1 : lookup.width;
+    const double height = lookup.in_texels ? 1 : lookup.height;
+    const auto held = [](double u) {
         return static_cast<float>(u < -32768.0 ? -32768.0 : (u > 32768.0 ? 32768.0 : u));
     };
-    return {along(coords[0], lookup.width), along(coords[1], lookup.height)};
+    for (std::size_t i = 0; i < coords.size(); ++i) {
+        const auto& c = coords[i];
+        const double over_q = lookup.divide_by_q ? 1.0 / static_cast<double>(c[3]) : 1.0;
+        out.u[i] = held(static_cast<double>(c[0]) * width * over_q);
+        out.v[i] = held(static_cast<double>(c[1]) * height * over_q);
+    }
 }
 
-/// The texels, first to last, that footprints between two places may read along one axis.
-struct TexelBounds {
-    int first, last;
-};
-
-inline TexelBounds texel_bounds(float a, float b, float c, int size) {
-    const float low = std::min({a, b, c}), high = std::max({a, b, c});
-    // Interpolated coordinates stray from the corners' hull by a few units in the last place of the
-    // largest; in binary32 that is 2^-22 of it.
-    const float margin = 0.75f + 4e-6f * std::max(std::fabs(low), std::fabs(high));
-    const auto texel = [size](float u) {
-        const int i = static_cast<int>(std::floor(u));
-        return i < 0 ? 0 : (i >= size ? size - 1 : i);
+/// A triangle's own alpha, if all its corners have the same.
+template <NumericModel M>
+const typename M::Channel* common_alpha(const WindowMesh<M>& mesh, const MeshTriangle& t) {
+    const auto alpha = [&](std::size_t k) -> const typename M::Channel& {
+        return mesh.vertices[mesh.flat ? t.provoking : t.vertex[k]].color[3];
     };
-    return {texel(low - margin), texel(high + margin)};
-}
-
-/// What a lookup's alpha is all over a triangle with these corners.
-inline AlphaKnown alpha_known(const AlphaLookup& lookup, const std::array<TexelPlace, 3>& p) {
-    const TexelBounds x = texel_bounds(p[0].u, p[1].u, p[2].u, lookup.width);
-    const TexelBounds y = texel_bounds(p[0].v, p[1].v, p[2].v, lookup.height);
-    const int x0 = x.first >> lookup.cell_bits, x1 = (x.last >> lookup.cell_bits) + 1;
-    const int y0 = y.first >> lookup.cell_bits, y1 = (y.last >> lookup.cell_bits) + 1;
-    const auto at = [&](int i, int j) -> const AlphaLookup::Count& {
-        return lookup.count[static_cast<std::size_t>(j * (lookup.columns + 1) + i)];
-    };
-    const auto &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
-    const auto cells = static_cast<std::uint32_t>((x1 - x0) * (y1 - y0));
-    if (d.zeros + a.zeros - b.zeros - c.zeros == cells) return AlphaKnown::zero;
-    if (d.ones + a.ones - b.ones - c.ones == cells) return AlphaKnown::one;
-    return AlphaKnown::nothing;
+    return alpha(0) == alpha(1) && alpha(1) == alpha(2) ? &alpha(0) : nullptr;
 }
 
 /// The outcome where the units' alphas are known: a zero makes the product 0, ones leave the
 /// triangle's own alpha.
-/// @param own  the alpha of all three corners, if it is the same
 template <NumericModel M>
 AlphaOutcome alpha_outcome(const BoundPass<M>& pass, std::span<const AlphaKnown> units,
-                           const typename M::Channel* own) {
+                           const WindowMesh<M>& mesh, const MeshTriangle& triangle) {
     const auto decided = [&](typename M::Channel alpha) {
         return compare(pass.state.alpha_test->func, pass.m.finish(alpha), pass.alpha_reference)
                    ? AlphaOutcome::passes
@@ -151,7 +131,9 @@ AlphaOutcome alpha_outcome(const BoundPass<M>& pass, std::span<const AlphaKnown>
         if (known == AlphaKnown::zero) return decided(typename M::Channel{0});
         all_one = all_one && known == AlphaKnown::one;
     }
-    return all_one && own ? decided(*own) : AlphaOutcome::open;
+    if (!all_one) return AlphaOutcome::open;
+    const auto* const own = common_alpha(mesh, triangle);
+    return own ? decided(*own) : AlphaOutcome::open;
 }
 
 /// The alpha lookups of a group's passes, each once, and which of them a pass's units make.
@@ -160,7 +142,7 @@ struct GroupAlpha {
     static constexpr std::size_t none = ~std::size_t{0};
     std::vector<AlphaLookup> lookups;
     std::vector<std::vector<std::size_t>> of_pass;  ///< [pass][unit in its list]: lookup or none
-    std::vector<std::vector<TexelPlace>> places;    ///< [lookup][vertex]
+    std::vector<TexelColumns> places;                 ///< [lookup]
     std::vector<std::vector<AlphaOutcome>> outcomes;  ///< [pass][triangle]; empty: open
 };
 
@@ -196,50 +178,57 @@ inline bool is_convex(const AlphaLookup& lookup, const VertexFlags& flags) {
            (!lookup.divide_by_q || ((flags.positive_q | flags.negative_q) & bit));
 }
 
+/// What the lookups' alphas are in some of a mesh's triangles: [lookup][triangle from `first` on].
 template <NumericModel M>
-const typename M::Channel* common_alpha(const WindowMesh<M>& mesh, const MeshTriangle& t) {
-    const auto alpha = [&](std::size_t k) -> const typename M::Channel& {
-        return mesh.vertices[mesh.flat ? t.provoking : t.vertex[k]].color[3];
-    };
-    return alpha(0) == alpha(1) && alpha(1) == alpha(2) ? &alpha(0) : nullptr;
+std::vector<std::vector<std::uint8_t>> known_alphas(const WindowMesh<M>& mesh,
+                                                    const GroupAlpha<M>& group, std::size_t first,
+                                                    std::size_t count) {
+    static_assert(sizeof(MeshTriangle) % sizeof(std::uint32_t) == 0);
+    const lanes::TriangleList list{mesh.triangles[first].vertex.data(),
+                                   sizeof(MeshTriangle) / sizeof(std::uint32_t), count};
+    std::vector<std::vector<std::uint8_t>> known(group.lookups.size());
+    for (std::size_t l = 0; l < known.size(); ++l) {
+        known[l].resize(count + lanes::widest);
+        const TexelColumns& places = group.places[l];
+        lanes::find_alphas(group.lookups[l].grid(), {places.u.data(), places.v.data()}, list,
+                           known[l].data());
+        for (std::size_t k = 0; k < count; ++k)
+            if (!is_convex(group.lookups[l], mesh.triangles[first + k].flags)) known[l][k] = 0;
+    }
+    return known;
 }
 
 /// Finds what each pass's alpha test does with each triangle of the mesh.
 /// @param passes  the group's, in the order of add_pass
 template <NumericModel M>
 void find_outcomes(const WindowMesh<M>& mesh, const std::vector<const BoundPass<M>*>& passes,
-                   GroupAlpha<M>& group) {
+                   int threads, GroupAlpha<M>& group) {
     if (group.lookups.empty()) return;
     group.places.resize(group.lookups.size());
-    for (std::size_t l = 0; l < group.lookups.size(); ++l) {
-        const auto& coords = mesh.coords[group.lookups[l].set];
-        group.places[l].resize(coords.size());
-        for (std::size_t v = 0; v < coords.size(); ++v)
-            group.places[l][v] = texel_place(group.lookups[l], coords[v]);
-    }
+    for (std::size_t l = 0; l < group.lookups.size(); ++l)
+        place_texels(group.lookups[l], mesh.coords[group.lookups[l].set], group.places[l]);
     for (std::size_t p = 0; p < passes.size(); ++p)
         if (!group.of_pass[p].empty()) group.outcomes[p].resize(mesh.triangles.size());
-    std::vector<AlphaKnown> known(group.lookups.size());
-    std::array<AlphaKnown, max_units> units{};
-    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-        const MeshTriangle& t = mesh.triangles[k];
-        for (std::size_t l = 0; l < known.size(); ++l) {
-            const auto& place = group.places[l];
-            known[l] = is_convex(group.lookups[l], t.flags)
-                           ? alpha_known(group.lookups[l], {place[t.vertex[0]], place[t.vertex[1]],
-                                                            place[t.vertex[2]]})
-                           : AlphaKnown::nothing;
-        }
-        const auto* const own = common_alpha(mesh, t);
+    constexpr std::size_t block = 2048;
+    const std::size_t size = mesh.triangles.size();
+    parallel_for((size + block - 1) / block, threads, [&](std::size_t b) {
+        const std::size_t first = b * block, count = std::min(block, size - first);
+        const auto known = known_alphas(mesh, group, first, count);
+        std::array<AlphaKnown, max_units> units{};
         for (std::size_t p = 0; p < passes.size(); ++p) {
             const auto& of_pass = group.of_pass[p];
             if (of_pass.empty()) continue;
-            for (std::size_t u = 0; u < of_pass.size(); ++u)
-                units[u] = of_pass[u] == GroupAlpha<M>::none ? AlphaKnown::nothing : known[of_pass[u]];
-            group.outcomes[p][k] =
-                alpha_outcome(*passes[p], std::span(units.data(), of_pass.size()), own);
+            for (std::size_t k = 0; k < count; ++k) {
+                for (std::size_t u = 0; u < of_pass.size(); ++u)
+                    units[u] = of_pass[u] == GroupAlpha<M>::none
+                                   ? AlphaKnown::nothing
+                                   : static_cast<AlphaKnown>(known[of_pass[u]][k]);
+                group.outcomes[p][first + k] =
+                    alpha_outcome(*passes[p], std::span(units.data(), of_pass.size()), mesh,
+                                  mesh.triangles[first + k]);
+            }
         }
-    }
+    });
 }
 
 }  // namespace twofold

@@ -28,6 +28,7 @@ struct FastState {
     std::vector<GroupGeometry<M>> geometry;
     std::vector<VertexColumns> columns;  ///< one per group, and so on
     std::vector<WindowMesh<M>> meshes;
+    std::vector<TriangleBlock<M>> blocks;
     std::vector<GroupAlpha<M>> alphas;
     std::deque<std::vector<LaneTexel<M>>> images;
     std::vector<TilePass<M>> passes;
@@ -185,11 +186,11 @@ void draw_frame(FastState<M>& state) {
     for (std::size_t g = 0; g < state.meshes.size(); ++g) {
         const GroupGeometry<M>& geometry = state.geometry[g];
         place_vertices(state.m, geometry, state.columns[g], state.options.threads, state.meshes[g]);
-        place_triangles(state.m, geometry, state.options.threads, state.meshes[g]);
+        place_triangles(state.m, geometry, state.options.threads, state.blocks, state.meshes[g]);
         std::vector<const BoundPass<M>*> passes;
         for (const TilePass<M>& pass : state.passes)
             if (pass.group == g) passes.push_back(&pass.bound);
-        find_outcomes(state.meshes[g], passes, state.alphas[g]);
+        find_outcomes(state.meshes[g], passes, state.options.threads, state.alphas[g]);
     }
     fill_bins(bin_passes(state), state.frame.width, state.frame.height, state.bins);
     parallel_for(state.bins.tiles(), state.options.threads,

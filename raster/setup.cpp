@@ -17,8 +17,7 @@ EdgeFunction edge_from(WindowPoint a, WindowPoint b) {
 
 TriangleSetup set_up(const std::array<WindowPoint, 3>& p) {
     TriangleSetup t{};
-    const std::int64_t area =
-        (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    const std::int64_t area = doubled_area(p[0], p[1], p[2]);
     t.counter_clockwise = area < 0;
     t.doubled_area = area < 0 ? -area : area;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -28,6 +28,12 @@ struct TriangleSetup {
     WindowPoint low, high;      ///< bounding box in snap units, inclusive
 };
 
+/// Twice the area of a triangle in snap units squared; negative where the vertices run
+/// counter-clockwise as seen with y up.
+inline std::int64_t doubled_area(WindowPoint a, WindowPoint b, WindowPoint c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 /// The edge functions of three snapped vertices in either orientation. All terms are exact:
 /// coordinates reach 2^27 in snap units, products 2^56 (R11, R12).
 TriangleSetup set_up(const std::array<WindowPoint, 3>& p);

@@ -22,6 +22,7 @@ HWY_INLINE V masked(V v, std::uint64_t bits) {
 
 /// IeeeArithmetic<double>.
 struct Binary64 {
+    static constexpr bool zero_leaves_no_trace = false;  // the sign of zero, 0 times infinity
     static HWY_INLINE V word(V x) { return x; }
     static HWY_INLINE V mul(V a, V b) { return hn::Mul(a, b); }
     static HWY_INLINE V sum(V a, V b) { return hn::Add(a, b); }
@@ -38,6 +39,7 @@ struct Binary64 {
 /// IeeeArithmetic<float>: every operation of two binary32 numbers in binary64, rounded to binary32
 /// afterwards, gives what binary32 gives (2 x 24 + 2 <= 53).
 struct Binary32 {
+    static constexpr bool zero_leaves_no_trace = false;
     static HWY_INLINE V word(V x) {
         const hn::Rebind<float, D> narrow;
         return hn::PromoteTo(D(), hn::DemoteTo(narrow, x));
@@ -61,6 +63,8 @@ inline constexpr double least_normal = 0x1p-126, largest_finite = 0x1.fffffep127
 /// texunit/nv1x_arithmetic.hpp for finite words, held in binary64: products of two words are exact
 /// there, and cutting to 24 bits is a mask.
 struct Nv1x {
+    /// 0 times anything is +0, and so is a sum of zeros.
+    static constexpr bool zero_leaves_no_trace = true;
     /// Cut toward zero; too small gives 0, too large the largest number.
     static HWY_INLINE V composed(V exact) {
         const V cut = masked(exact, to_24_bits);
@@ -78,17 +82,23 @@ struct Nv1x {
                                         hn::BitCast(u, power)));
     }
 
-    /// The four terms cut to a common unit, 2^-28 of the largest's power of two.
-    static HWY_INLINE V sum(V a, V b, V c, V d) {
-        const V most = hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Max(hn::Abs(c), hn::Abs(d)));
+    /// The terms cut to a common unit, 2^-28 of the largest's power of two.
+    template <class... Terms>
+    static HWY_INLINE V sum_of(V most, Terms... terms) {
         const V p = power(hn::Max(most, set(least_normal)));
         const V units = hn::Mul(over_power(p), set(0x1p28));
-        const auto cut = [&](V x) HWY_ATTR { return hn::Trunc(hn::Mul(x, units)); };
-        const V total = hn::Add(hn::Add(cut(a), cut(b)), hn::Add(cut(c), cut(d)));
+        V total = set(0.0);
+        ((total = hn::Add(total, hn::Trunc(hn::Mul(terms, units)))), ...);
         return composed(hn::Mul(total, hn::Mul(p, set(0x1p-28))));
     }
-    static HWY_INLINE V sum(V a, V b, V c) { return sum(a, b, c, hn::Zero(D())); }
-    static HWY_INLINE V sum(V a, V b) { return sum(a, b, hn::Zero(D()), hn::Zero(D())); }
+    static HWY_INLINE V larger(V a, V b) { return hn::Max(hn::Abs(a), hn::Abs(b)); }
+    static HWY_INLINE V sum(V a, V b, V c, V d) {
+        return sum_of(hn::Max(larger(a, b), larger(c, d)), a, b, c, d);
+    }
+    static HWY_INLINE V sum(V a, V b, V c) {
+        return sum_of(hn::Max(larger(a, b), hn::Abs(c)), a, b, c);
+    }
+    static HWY_INLINE V sum(V a, V b) { return sum_of(larger(a, b), a, b); }
 
     /// The first six bits behind the leading one.
     static HWY_INLINE hn::Vec<hn::RebindToSigned<D>> seed_index(V a) {

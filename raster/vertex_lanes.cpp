@@ -21,8 +21,32 @@ struct Three {
     V x, y, z;
 };
 
+/// A row times a vector where terms of 0 leave no trace: texture matrices are full of them.
+template <class A>
+HWY_INLINE V sparse_dot4(const Row& row, const Four& v) {
+    std::array<V, 4> term{};
+    std::size_t n = 0;
+    if (row[0] != 0.0) term[n++] = A::mul(set(row[0]), v.x);
+    if (row[1] != 0.0) term[n++] = A::mul(set(row[1]), v.y);
+    if (row[2] != 0.0) term[n++] = A::mul(set(row[2]), v.z);
+    if (row[3] != 0.0) term[n++] = A::mul(set(row[3]), v.w);
+    switch (n) {
+        case 0:
+            return set(0.0);
+        case 1:
+            return term[0];
+        case 2:
+            return A::sum(term[0], term[1]);
+        case 3:
+            return A::sum(term[0], term[1], term[2]);
+        default:
+            return A::sum(term[0], term[1], term[2], term[3]);
+    }
+}
+
 template <class A>
 HWY_NOINLINE V dot4(const Row& row, const Four& v) {
+    if constexpr (A::zero_leaves_no_trace) return sparse_dot4<A>(row, v);
     return A::sum(A::mul(set(row[0]), v.x), A::mul(set(row[1]), v.y), A::mul(set(row[2]), v.z),
                   A::mul(set(row[3]), v.w));
 }

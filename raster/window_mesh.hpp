@@ -139,22 +139,26 @@ struct TriangleBlock {
 };
 inline constexpr std::uint32_t first_new_vertex = 1u << 31;
 
-/// Sets a triangle up and keeps it if it can cover a pixel.
+/// Keeps a triangle if it can cover a pixel.
 template <NumericModel M>
 void keep_if_visible(const GroupGeometry<M>& g, int bits,
                      const std::array<const PlacedVertex<M>*, 3>& v, MeshTriangle triangle,
                      std::vector<MeshTriangle>& out) {
-    const TriangleSetup setup =
-        set_up({WindowPoint{v[0]->x, v[0]->y}, WindowPoint{v[1]->x, v[1]->y},
-                WindowPoint{v[2]->x, v[2]->y}});
-    if (setup.doubled_area == 0 || is_culled(g.rules.cull, setup.counter_clockwise)) return;
-    const PixelRectangle box =
-        covered_rectangle(setup, bits, {0, 0, g.rules.size.width, g.rules.size.height});
-    if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
-    triangle.x0 = static_cast<std::int16_t>(box.x0);
-    triangle.y0 = static_cast<std::int16_t>(box.y0);
-    triangle.x1 = static_cast<std::int16_t>(box.x1);
-    triangle.y1 = static_cast<std::int16_t>(box.y1);
+    const auto [a, b, c] = v;
+    const std::int64_t area = doubled_area({a->x, a->y}, {b->x, b->y}, {c->x, c->y});
+    if (area == 0 || is_culled(g.rules.cull, area < 0)) return;
+    const auto first = [bits](std::int64_t x) { return std::max<std::int64_t>(first_pixel(x, bits), 0); };
+    const auto end = [bits](std::int64_t x, int size) {
+        return std::min<std::int64_t>(last_pixel(x, bits) + 1, size);
+    };
+    const auto x0 = first(std::min({a->x, b->x, c->x})), y0 = first(std::min({a->y, b->y, c->y}));
+    const auto x1 = end(std::max({a->x, b->x, c->x}), g.rules.size.width);
+    const auto y1 = end(std::max({a->y, b->y, c->y}), g.rules.size.height);
+    if (x0 >= x1 || y0 >= y1) return;
+    triangle.x0 = static_cast<std::int16_t>(x0);
+    triangle.y0 = static_cast<std::int16_t>(y0);
+    triangle.x1 = static_cast<std::int16_t>(x1);
+    triangle.y1 = static_cast<std::int16_t>(y1);
     out.push_back(triangle);
 }
 
@@ -227,20 +231,24 @@ void append(WindowMesh<M>& mesh, const TriangleBlock<M>& block, std::size_t sets
     }
 }
 
-/// Clips and sets up the triangles of a mesh whose vertices are placed, in blocks.
+/// Clips and sets up the triangles of a mesh whose vertices are placed, in blocks, whose memory is
+/// kept.
 template <NumericModel M>
-void place_triangles(const M& m, const GroupGeometry<M>& g, int threads, WindowMesh<M>& out) {
+void place_triangles(const M& m, const GroupGeometry<M>& g, int threads,
+                     std::vector<TriangleBlock<M>>& blocks, WindowMesh<M>& out) {
     constexpr std::size_t block_size = 2048;
+    const std::size_t used = (g.assembled.size() + block_size - 1) / block_size;
+    if (blocks.size() < used) blocks.resize(used);
     out.triangles.clear();
     out.flat = g.rules.flat;
-    std::vector<TriangleBlock<M>> made((g.assembled.size() + block_size - 1) / block_size);
-    parallel_for(made.size(), threads, [&](std::size_t b) {
+    parallel_for(used, threads, [&](std::size_t b) {
         const std::size_t end = std::min(g.assembled.size(), (b + 1) * block_size);
-        made[b].triangles.reserve(block_size);
+        resize(blocks[b].made, 0, g.sets);
+        blocks[b].triangles.clear();
         for (std::size_t i = b * block_size; i < end; ++i)
-            keep_triangle(m, g, out, g.assembled[i], made[b]);
+            keep_triangle(m, g, out, g.assembled[i], blocks[b]);
     });
-    for (const auto& block : made) append(out, block, g.sets);
+    for (std::size_t b = 0; b < used; ++b) append(out, blocks[b], g.sets);
 }
 
 /// A triangle as the reference sees it.
