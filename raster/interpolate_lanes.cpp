@@ -56,9 +56,10 @@ using Narrow = hn::Rebind<Real, D>;
 
 /// The coordinates of one unit at a vector of a span, as interpolate_coords() of interpolate.hpp
 /// computes them.
-template <class Real>
-HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t, const Corners<Real>& c,
-                                                    std::size_t u, const Weights& w) {
+template <class Real, class Channel>
+HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t,
+                                                    const Corners<Real, Channel>& c, std::size_t u,
+                                                    const Weights& w) {
     const Narrow<Real> r;
     auto w0 = narrowed(r, w.e0), w1 = narrowed(r, w.e1), w2 = narrowed(r, w.e2);
     if (!c.over_w && !t.equal_w) {
@@ -66,11 +67,12 @@ HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t, const Cor
         w1 = hn::Mul(w1, hn::Set(r, static_cast<Real>(t.inverse_w[1])));
         w2 = hn::Mul(w2, hn::Set(r, static_cast<Real>(t.inverse_w[2])));
     }
-    const auto sum = [&](const std::array<Real, 3>& v) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(w0, hn::Set(r, v[0])), hn::Mul(w1, hn::Set(r, v[1]))),
-                       hn::Mul(w2, hn::Set(r, v[2])));
+    const auto [v0, v1, v2] = c.coords[u];
+    const auto sum = [&, v0 = v0, v1 = v1, v2 = v2](std::size_t k) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(w0, hn::Set(r, (*v0)[k])), hn::Mul(w1, hn::Set(r, (*v1)[k]))),
+                       hn::Mul(w2, hn::Set(r, (*v2)[k])));
     };
-    return {sum(c.coords[u][0]), sum(c.coords[u][1]), sum(c.coords[u][2])};
+    return {sum(0), sum(1), sum(3)};
 }
 
 /// The largest magnitude of what a sum over the vertices passes through on the way to its value.
@@ -85,46 +87,74 @@ Reach reach_of(const Triangle& t) {
     return reach;
 }
 
-/// What the vertices have, weighted by the doubled areas.
-Plane weighted(const Triangle& t, const std::array<double, 3>& v) {
-    const auto sum = [&](double Plane::*part) {
-        return v[0] * t.e[0].*part + v[1] * t.e[1].*part + v[2] * t.e[2].*part;
-    };
-    return {sum(&Plane::first), sum(&Plane::dx), sum(&Plane::dy)};
-}
+/// Four numbers side by side, on one vector or more.
+using Four = hn::CappedTag<double, 4>;
+struct FourPlanes {
+    alignas(32) std::array<double, 4> first, dx, dy;
 
-double largest(const Reach& reach, const std::array<double, 3>& v) {
-    return std::fabs(v[0]) * reach[0] + std::fabs(v[1]) * reach[1] + std::fabs(v[2]) * reach[2];
-}
+    HWY_INLINE V at(std::size_t k, V x, V y) const {
+        return HWY_NAMESPACE::at(Plane{first[k], dx[k], dy[k]}, x, y);
+    }
+};
 
-/// A unit's places in its texture as two linear numbers over a third: in 1/256 texel, with LINEAR
-/// from the centre of texel (0, 0). Near the reference's places by less than 2^-20 if it is `usable`.
+/// A unit's places in its texture as two linear numbers over a third: x and y in 1/256 texel, with
+/// LINEAR from the centre of texel (0, 0), times q. Near the reference's places by less than 2^-20
+/// if they are `usable`.
 struct Near {
+    static constexpr std::size_t x = 0, y = 1, q = 3;  ///< where s, t, q lie
+    FourPlanes planes;
     std::array<double, 3> q_of_vertex;
-    Plane x, y, q;
     bool usable = false;
 
-    Near(const Triangle& t, const Reach& reach, const Corners<double>& c,
-         const Shader<std::uint32_t>& s, std::size_t u) {
+    HWY_INLINE Near(const Triangle& t, const Reach& reach, const ByteCorners& c,
+                    const Shader<std::uint32_t>& s, std::size_t u) {
         if (u >= s.units || !knows_reciprocals(s.unit[u])) return;
-        const Unit<std::uint32_t>& unit = s.unit[u];
-        const double to_centre = unit.linear ? 128.0 : 0.0;
-        std::array<double, 3> vx, vy;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double w = c.over_w || t.equal_w ? 1.0 : t.inverse_w[k];
-            q_of_vertex[k] = w * c.coords[u][2][k];
-            vx[k] = w * c.coords[u][0][k] * (256.0 * unit.image.width) - to_centre * q_of_vertex[k];
-            vy[k] = w * c.coords[u][1][k] * (256.0 * unit.image.height) - to_centre * q_of_vertex[k];
-        }
-        x = weighted(t, vx);
-        y = weighted(t, vy);
-        q = weighted(t, q_of_vertex);
+        std::array<double, 3> w{1.0, 1.0, 1.0};
+        if (!c.over_w && !t.equal_w) w = t.inverse_w;
+        for (std::size_t k = 0; k < 3; ++k) q_of_vertex[k] = w[k] * (*c.coords[u][k])[q];
+        alignas(32) std::array<double, 4> largest;
+        weigh(t, reach, c, s.unit[u], u, w, largest);
         // Each rounding strays by 2^-53 of the largest term. Places above 2^20 are clamped.
         const double least = t.area * std::min(std::min(std::fabs(q_of_vertex[0]),
                                                         std::fabs(q_of_vertex[1])),
                                                std::fabs(q_of_vertex[2]));
-        usable = largest(reach, vx) <= 0x1p26 * least && largest(reach, vy) <= 0x1p26 * least &&
-                 largest(reach, q_of_vertex) <= 0x1p8 * least;
+        usable = largest[x] <= 0x1p26 * least && largest[y] <= 0x1p26 * least &&
+                 largest[q] <= 0x1p8 * least;
+    }
+
+  private:
+    /// What the vertices have, weighted by the doubled areas, and the largest magnitude that a sum
+    /// passes through.
+    HWY_INLINE void weigh(const Triangle& t, const Reach& reach, const ByteCorners& c,
+                          const Unit<std::uint32_t>& unit, std::size_t u,
+                          const std::array<double, 3>& w, std::array<double, 4>& largest) {
+        const Four four;
+        const double to_centre = unit.linear ? 128.0 : 0.0;
+        alignas(32) const std::array<double, 4> scale{256.0 * unit.image.width,
+                                                      256.0 * unit.image.height, 0.0, 1.0};
+        alignas(32) const std::array<double, 4> shift{to_centre, to_centre, 0.0, 0.0};
+        for (std::size_t i = 0; i < 4; i += hn::Lanes(four)) {
+            const auto value = [&](std::size_t k) HWY_ATTR {
+                const auto v = hn::LoadU(four, c.coords[u][k]->data() + i);
+                const auto scaled = hn::Mul(hn::Mul(v, hn::Set(four, w[k])),
+                                            hn::Load(four, scale.data() + i));
+                return hn::Sub(scaled, hn::Mul(hn::Load(four, shift.data() + i),
+                                               hn::Set(four, q_of_vertex[k])));
+            };
+            const auto v0 = value(0), v1 = value(1), v2 = value(2);
+            const auto sum = [&](double a, double b, double d) HWY_ATTR {
+                return hn::Add(hn::Add(hn::Mul(v0, hn::Set(four, a)), hn::Mul(v1, hn::Set(four, b))),
+                               hn::Mul(v2, hn::Set(four, d)));
+            };
+            const auto magnitudes =
+                hn::Add(hn::Add(hn::Mul(hn::Abs(v0), hn::Set(four, reach[0])),
+                                hn::Mul(hn::Abs(v1), hn::Set(four, reach[1]))),
+                        hn::Mul(hn::Abs(v2), hn::Set(four, reach[2])));
+            hn::Store(sum(t.e[0].first, t.e[1].first, t.e[2].first), four, planes.first.data() + i);
+            hn::Store(sum(t.e[0].dx, t.e[1].dx, t.e[2].dx), four, planes.dx.data() + i);
+            hn::Store(sum(t.e[0].dy, t.e[1].dy, t.e[2].dy), four, planes.dy.data() + i);
+            hn::Store(magnitudes, four, largest.data() + i);
+        }
     }
 };
 
@@ -133,7 +163,7 @@ bool same_q(const Near& a, const Near& b) {
     return a.usable && b.usable && a.q_of_vertex == b.q_of_vertex;
 }
 
-HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const Corners<double>& c,
+HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const ByteCorners& c,
                                                const Shader<std::uint32_t>& s, std::size_t u,
                                                const std::int32_t* at) {
     const DI di;
@@ -151,23 +181,24 @@ HWY_INLINE void store(const Footprints& f, std::size_t u, std::size_t i, ByteBat
 }
 
 /// Footprints by linear numbers and a reciprocal where no doubt is left, else as the reference does.
-void place_near(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+void place_near(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                 std::size_t first, std::size_t units, const std::array<Near, lane_units>& near,
                 std::size_t count, ByteBatch& out) {
     const DI di;
-    const Plane q = near[first].q;
+    const FourPlanes& q = near[first].planes;
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
         const std::int32_t* const places = out.places.at.data() + i;
         const VI v = hn::LoadU(di, places);
         const Two x = as_real(hn::Sub(column_of(v), hn::Set(di, t.x0)));
         const Two y = as_real(hn::Sub(row_of(v), hn::Set(di, t.y0)));
-        const V low = near_reciprocal(at(q, x.low, y.low));
-        const V high = near_reciprocal(at(q, x.high, y.high));
+        const V low = near_reciprocal(q.at(Near::q, x.low, y.low));
+        const V high = near_reciprocal(q.at(Near::q, x.high, y.high));
         for (std::size_t u = first; u < first + units; ++u) {
-            const auto u_low = fixed(hn::Mul(at(near[u].x, x.low, y.low), low));
-            const auto v_low = fixed(hn::Mul(at(near[u].y, x.low, y.low), low));
-            const auto u_high = fixed(hn::Mul(at(near[u].x, x.high, y.high), high));
-            const auto v_high = fixed(hn::Mul(at(near[u].y, x.high, y.high), high));
+            const FourPlanes& p = near[u].planes;
+            const auto u_low = fixed(hn::Mul(p.at(Near::x, x.low, y.low), low));
+            const auto v_low = fixed(hn::Mul(p.at(Near::y, x.low, y.low), low));
+            const auto u_high = fixed(hn::Mul(p.at(Near::x, x.high, y.high), high));
+            const auto v_high = fixed(hn::Mul(p.at(Near::y, x.high, y.high), high));
             const auto doubt = hn::Or(hn::Or(in_doubt(u_low), in_doubt(v_low)),
                                       hn::Or(in_doubt(u_high), in_doubt(v_high)));
             if (HWY_LIKELY(hn::AllFalse(U(), doubt)))
@@ -179,13 +210,13 @@ void place_near(const Triangle& t, const Corners<double>& c, const Shader<std::u
     }
 }
 
-void place_exactly(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+void place_exactly(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                    std::size_t u, std::size_t count, ByteBatch& out) {
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(DI()))
         store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
 }
 
-void place_bytes(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                  std::size_t count, ByteBatch& out) {
     const Reach reach = reach_of(t);
     const std::array<Near, lane_units> near{Near(t, reach, c, s, 0), Near(t, reach, c, s, 1)};
@@ -199,7 +230,7 @@ void place_bytes(const Triangle& t, const Corners<double>& c, const Shader<std::
 }
 
 template <class Real>
-void place_reals(const Triangle& t, const Corners<Real>& c, const Unit<Color<Real>>& unit,
+void place_reals(const Triangle& t, const RealCorners<Real>& c, const Unit<Color<Real>>& unit,
                  std::size_t u, std::size_t count, RealBatch<Real>& out) {
     const Narrow<Real> r;
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(r)) {
@@ -212,7 +243,7 @@ void place_reals(const Triangle& t, const Corners<Real>& c, const Unit<Color<Rea
 }
 
 /// Nv17::iterate_color.
-void iterate_bytes(const Triangle& t, const Corners<double>& c, const std::int32_t* at,
+void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* at,
                    std::size_t count, std::uint32_t* out) {
     const D d;
     const I di;
@@ -229,9 +260,9 @@ void iterate_bytes(const Triangle& t, const Corners<double>& c, const std::int32
         const auto n2 = hn::DemoteTo(di, hn::Div(hn::Mul(steps, l2), sum));
         const auto n1 = hn::Sub(hn::Sub(hn::Set(di, 256), n0), n2);
         const auto channel = [&](std::size_t k) HWY_ATTR {
-            const auto value = hn::Add(hn::Add(hn::Mul(n0, hn::Set(di, c.bytes[0][k])),
-                                               hn::Mul(n1, hn::Set(di, c.bytes[1][k]))),
-                                       hn::Mul(n2, hn::Set(di, c.bytes[2][k])));
+            const auto value = hn::Add(hn::Add(hn::Mul(n0, hn::Set(di, (*c.colors[0])[k])),
+                                               hn::Mul(n1, hn::Set(di, (*c.colors[1])[k]))),
+                                       hn::Mul(n2, hn::Set(di, (*c.colors[2])[k])));
             return hn::ShiftRight<8>(hn::Add(value, hn::Set(di, 128)));
         };
         const auto color = hn::Or(hn::Or(channel(0), hn::ShiftLeft<8>(channel(1))),
@@ -243,7 +274,7 @@ void iterate_bytes(const Triangle& t, const Corners<double>& c, const std::int32
 
 /// RealModel::iterate_color, the four channels of a fragment side by side.
 template <class Real>
-void iterate_reals(const Triangle& t, const Corners<Real>& c, const std::int32_t* at,
+void iterate_reals(const Triangle& t, const RealCorners<Real>& c, const std::int32_t* at,
                    std::size_t size, Color<Real>* out) {
     const Narrow<Real> r;
     const hn::CappedTag<Real, 4> four;
@@ -260,9 +291,9 @@ void iterate_reals(const Triangle& t, const Corners<Real>& c, const std::int32_t
         const std::size_t count = HWY_MIN(hn::Lanes(r), size - i);
         for (std::size_t k = 0; k < count; ++k)
             for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
-                const auto c0 = hn::LoadU(four, c.reals[0].data() + ch);
-                const auto d1 = hn::Sub(hn::LoadU(four, c.reals[1].data() + ch), c0);
-                const auto d2 = hn::Sub(hn::LoadU(four, c.reals[2].data() + ch), c0);
+                const auto c0 = hn::LoadU(four, c.colors[0]->data() + ch);
+                const auto d1 = hn::Sub(hn::LoadU(four, c.colors[1]->data() + ch), c0);
+                const auto d2 = hn::Sub(hn::LoadU(four, c.colors[2]->data() + ch), c0);
                 const auto more = hn::Add(hn::Mul(hn::Set(four, l1[k]), d1),
                                           hn::Mul(hn::Set(four, l2[k]), d2));
                 hn::StoreU(hn::Add(c0, hn::Div(more, hn::Set(four, sum[k]))), four,
@@ -271,34 +302,34 @@ void iterate_reals(const Triangle& t, const Corners<Real>& c, const std::int32_t
     }
 }
 
-void interpolate_u8(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+void interpolate_u8(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                     std::size_t count, ByteBatch& out) {
     place_bytes(t, c, s, count, out);
     std::uint32_t* const color = out.color.data() + out.size;
     if (c.one_color)
-        std::fill_n(color, count, packed_bytes(c.bytes[0]));
+        std::fill_n(color, count, packed_bytes(*c.colors[0]));
     else
         iterate_bytes(t, c, out.places.at.data() + out.size, count, color);
     out.size += count;
 }
 
 template <class Real>
-void interpolate_reals(const Triangle& t, const Corners<Real>& c, const Shader<Color<Real>>& s,
+void interpolate_reals(const Triangle& t, const RealCorners<Real>& c, const Shader<Color<Real>>& s,
                        std::size_t count, RealBatch<Real>& out) {
     for (std::size_t u = 0; u < s.units; ++u) place_reals(t, c, s.unit[u], u, count, out);
     Color<Real>* const color = out.color.data() + out.size;
     if (c.one_color)
-        std::fill_n(color, count, c.reals[0]);
+        std::fill_n(color, count, *c.colors[0]);
     else
         iterate_reals(t, c, out.places.at.data() + out.size, count, color);
     out.size += count;
 }
 
-void interpolate_f64(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
+void interpolate_f64(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
                      std::size_t count, RealBatch<double>& out) {
     interpolate_reals(t, c, s, count, out);
 }
-void interpolate_f32(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
+void interpolate_f32(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
                      std::size_t count, RealBatch<float>& out) {
     interpolate_reals(t, c, s, count, out);
 }
@@ -315,15 +346,15 @@ HWY_EXPORT(interpolate_u8);
 HWY_EXPORT(interpolate_f64);
 HWY_EXPORT(interpolate_f32);
 
-void interpolate(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+void interpolate(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                  std::size_t count, ByteBatch& out) {
     HWY_DYNAMIC_DISPATCH(interpolate_u8)(t, c, s, count, out);
 }
-void interpolate(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
+void interpolate(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
                  std::size_t count, RealBatch<double>& out) {
     HWY_DYNAMIC_DISPATCH(interpolate_f64)(t, c, s, count, out);
 }
-void interpolate(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
+void interpolate(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
                  std::size_t count, RealBatch<float>& out) {
     HWY_DYNAMIC_DISPATCH(interpolate_f32)(t, c, s, count, out);
 }

@@ -112,15 +112,18 @@ struct Shader {
     std::array<Unit<Texel>, lane_units> unit;
 };
 
-/// What a triangle's corners carry into interpolation.
-template <class Real>
+/// What a triangle's corners carry into interpolation, where the mesh keeps it.
+template <class Real, class Channel>
 struct Corners {
-    std::array<std::array<std::array<Real, 3>, 3>, lane_units> coords;  ///< [unit][s, t, q][vertex]
-    bool over_w;         ///< coordinates are over w already
-    bool one_color;      ///< all three the same
-    std::array<Color<int>, 3> bytes;
-    std::array<Color<Real>, 3> reals;
+    using Coords = std::array<Real, 4>;                              ///< s, t, r, q
+    std::array<std::array<const Coords*, 3>, lane_units> coords;  ///< [unit][vertex]
+    std::array<const Color<Channel>*, 3> colors;
+    bool over_w;     ///< coordinates are over w already
+    bool one_color;  ///< all three the same
 };
+using ByteCorners = Corners<double, int>;
+template <class Real>
+using RealCorners = Corners<Real, Real>;
 
 /// Where covering a triangle stands: the row to go on with, and the fragments found.
 struct Covered {
@@ -138,11 +141,11 @@ Covered cover(const Triangle& t, const DepthRule& rule, double* depth, int row, 
 
 /// Adds to a batch the `count` fragments that have their places behind its last: their footprints
 /// in each unit's texture, and colours.
-void interpolate(const Triangle& t, const Corners<double>& c, const Shader<std::uint32_t>& s,
+void interpolate(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                  std::size_t count, ByteBatch& out);
-void interpolate(const Triangle& t, const Corners<double>& c, const Shader<Color<double>>& s,
+void interpolate(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
                  std::size_t count, RealBatch<double>& out);
-void interpolate(const Triangle& t, const Corners<float>& c, const Shader<Color<float>>& s,
+void interpolate(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
                  std::size_t count, RealBatch<float>& out);
 
 /// Looks textures up and combines them with the colours. Real ones are not yet limited to [0, 1].

@@ -164,27 +164,17 @@ lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& til
 }
 
 template <NumericModel M>
-lanes::Corners<typename M::Real> lane_corners(const TileTriangle<M>& t) {
-    lanes::Corners<typename M::Real> out;
+lanes::Corners<typename M::Real, typename M::Channel> lane_corners(const TileTriangle<M>& t) {
+    lanes::Corners<typename M::Real, typename M::Channel> out;
     out.over_w = M::coords_over_w;
     const auto& units = t.pass.bound.units;
     for (std::size_t u = 0; u < units.size(); ++u) {
         const auto& coords = t.pass.mesh->coords[t.pass.set_of[units[u].index]];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& c = coords[t.triangle.vertex[k]];
-            out.coords[u][0][k] = c[0];
-            out.coords[u][1][k] = c[1];
-            out.coords[u][2][k] = c[3];
-        }
+        for (std::size_t k = 0; k < 3; ++k) out.coords[u][k] = &coords[t.triangle.vertex[k]];
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-        if constexpr (lane_kind<M>() == LaneKind::reals)
-            out.reals[k] = corner_color(t, k);
-        else
-            out.bytes[k] = corner_color(t, k);
-    }
-    out.one_color = corner_color(t, 0) == corner_color(t, 1) &&
-                    corner_color(t, 1) == corner_color(t, 2);
+    for (std::size_t k = 0; k < 3; ++k) out.colors[k] = &corner_color(t, k);
+    out.one_color =
+        *out.colors[0] == *out.colors[1] && *out.colors[1] == *out.colors[2];
     return out;
 }
 
