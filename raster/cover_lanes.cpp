@@ -65,18 +65,6 @@ HWY_NOINLINE VI quantised_depth(const Triangle& t, const DepthRule& rule, RowPix
     return hn::Combine(di, quantised(p.x + half), quantised(p.x));
 }
 
-/// The same. Divisions are done only where they could make a difference.
-HWY_INLINE VI depth_at(const Triangle& t, const DepthRule& rule, RowPixels p, V step_low,
-                       V step_high) {
-    const D d;
-    const Plane& z = t.near_depth;
-    const V first = hn::Set(d, z.first + z.dy * p.y + z.dx * p.x);
-    const auto low = fixed(hn::Add(first, step_low)), high = fixed(hn::Add(first, step_high));
-    const bool sure = hn::AllFalse(U(), hn::Or(in_doubt(low), in_doubt(high)));
-    if (HWY_LIKELY(t.near_depth_usable && sure)) return floors(low, high);
-    return quantised_depth(t, rule, p);
-}
-
 /// Stores the lanes of the mask, close together; up to a full vector may be written. Not Compress:
 /// g++ 12 copies Highway 1.0.3's table for it to the stack at every call.
 template <class T>
@@ -97,7 +85,14 @@ class IntegerDepth {
         const V dx = hn::Set(d, t.near_depth.dx);
         low_ = hn::Mul(hn::Iota(d, 0.0), dx);
         high_ = hn::Mul(hn::Iota(d, static_cast<double>(hn::Lanes(d))), dx);
+        step_ = hn::Mul(hn::Set(d, static_cast<double>(hn::Lanes(DI()))), dx);
     }
+
+    /// From here on the pixels from (t.x0, t.y0 + down).
+    HWY_INLINE void start_row(int down) {
+        first_ = at(t_.near_depth, hn::Zero(D()), hn::Set(D(), static_cast<double>(down)));
+    }
+    HWY_INLINE void step() { first_ = hn::Add(first_, step_); }
 
     /// Tests and writes the depth of pixels of which `m` are covered, appends those that are left
     /// and returns their number.
@@ -105,7 +100,7 @@ class IntegerDepth {
                                 std::int32_t* at, double* z_out) const {
         const DI d;
         if (rule_.computed) {
-            const VI z = depth_at(t_, rule_, p, low_, high_);
+            const VI z = depth_at(p);
             if (rule_.early) {
                 auto* const stored = reinterpret_cast<std::int32_t*>(depth);
                 const VI old = hn::LoadU(d, stored);
@@ -124,9 +119,17 @@ class IntegerDepth {
     }
 
   private:
+    /// Divisions are done only where they could make a difference.
+    HWY_INLINE VI depth_at(RowPixels p) const {
+        const auto low = fixed(hn::Add(first_, low_)), high = fixed(hn::Add(first_, high_));
+        const bool sure = hn::AllFalse(U(), hn::Or(in_doubt(low), in_doubt(high)));
+        if (HWY_LIKELY(t_.near_depth_usable && sure)) return floors(low, high);
+        return quantised_depth(t_, rule_, p);
+    }
+
     const Triangle& t_;
-    const DepthRule& rule_;
-    V low_, high_;
+    const DepthRule rule_;
+    V first_, low_, high_, step_;
 };
 
 /// Depth of a buffer of binary64.
@@ -135,6 +138,9 @@ class RealDepth {
     using Pixels = I;
 
     RealDepth(const Triangle& t, const DepthRule& rule) : t_(t), rule_(rule) {}
+
+    HWY_INLINE void start_row(int) {}
+    HWY_INLINE void step() {}
 
     HWY_INLINE std::size_t keep(RowPixels p, hn::Mask<I> m, double* depth, hn::Vec<I> places,
                                 std::int32_t* at, double* z_out) const {
@@ -162,37 +168,55 @@ class RealDepth {
     const DepthRule& rule_;
 };
 
+/// The three edges at a vector of pixels: negative in a lane where one is.
+template <class T>
+struct Edges {
+    using Vec = hn::Vec<T>;
+    Vec e0, e1, e2;
+
+    HWY_INLINE Vec outside() const { return hn::Or(hn::Or(e0, e1), e2); }
+    HWY_INLINE Edges operator+(const Edges& o) const {
+        return {hn::Add(e0, o.e0), hn::Add(e1, o.e1), hn::Add(e2, o.e2)};
+    }
+};
+
+/// The same number of pixels from each edge on: `all(edge)` of each.
+template <class T, class Of>
+HWY_INLINE Edges<T> edges_of(T d, const Triangle& t, Of&& of) {
+    return {hn::Set(d, of(t.cover[0])), hn::Set(d, of(t.cover[1])), hn::Set(d, of(t.cover[2]))};
+}
+
 template <class Rule, class Depth>
 HWY_INLINE Covered cover_rows(const Triangle& t, const DepthRule& rule, Depth* depth, int row,
                               std::size_t size, BatchPlaces& out) {
     using Pixels = typename Rule::Pixels;
     const Pixels d;
-    const Rule rule_of_depth(t, rule);
+    Rule depth_rule(t, rule);
     const auto lanes = static_cast<int>(hn::Lanes(d));
     const auto iota = hn::Iota(d, 0);
-    const auto along = [&](std::size_t k) HWY_ATTR {
-        return hn::Add(hn::Set(d, t.cover[k].first), hn::Mul(iota, hn::Set(d, t.cover[k].dx)));
-    };
-    const auto first0 = along(0), first1 = along(1), first2 = along(2);
-    const auto step0 = hn::Set(d, t.cover[0].dx * lanes), step1 = hn::Set(d, t.cover[1].dx * lanes);
-    const auto step2 = hn::Set(d, t.cover[2].dx * lanes);
+    const Edges<Pixels> step_right =
+        edges_of(d, t, [lanes](const CoverEdge& e) { return e.dx * lanes; });
+    const Edges<Pixels> step_down = edges_of(d, t, [](const CoverEdge& e) { return e.dy; });
+    const Edges<Pixels> lane = edges_of(d, t, [](const CoverEdge& e) { return e.dx; });
+    const int from = row - t.y0;
+    Edges<Pixels> start = edges_of(d, t, [from](const CoverEdge& e) { return e.first + e.dy * from; });
+    start = start + Edges<Pixels>{hn::Mul(iota, lane.e0), hn::Mul(iota, lane.e1),
+                                  hn::Mul(iota, lane.e2)};
+    // The last vector of a row may reach beyond the pixels to visit.
+    const int width = t.x1 - t.x0, whole = (width - 1) / lanes * lanes;
+    const auto last = hn::FirstN(d, static_cast<std::size_t>(width - whole));
     std::size_t n = 0;
-    for (; row < t.y1 && n < cover_capacity; ++row) {
-        const int down = row - t.y0;
-        auto e0 = hn::Add(first0, hn::Set(d, t.cover[0].dy * down));
-        auto e1 = hn::Add(first1, hn::Set(d, t.cover[1].dy * down));
-        auto e2 = hn::Add(first2, hn::Set(d, t.cover[2].dy * down));
-        for (int x = t.x0; x < t.x1; x += lanes) {
-            auto m = hn::Gt(hn::Or(hn::Or(e0, e1), e2), hn::Set(d, -1));
-            if (x + lanes > t.x1) m = hn::And(m, hn::FirstN(d, static_cast<std::size_t>(t.x1 - x)));
-            e0 = hn::Add(e0, step0);
-            e1 = hn::Add(e1, step1);
-            e2 = hn::Add(e2, step2);
+    for (; row < t.y1 && n < cover_capacity; ++row, start = start + step_down) {
+        depth_rule.start_row(row - t.y0);
+        Edges<Pixels> e = start;
+        for (int x = 0; x < width; x += lanes, e = e + step_right, depth_rule.step()) {
+            auto m = hn::Gt(e.outside(), hn::Set(d, -1));
+            if (x == whole) m = hn::And(m, last);
             if (hn::AllFalse(d, m)) continue;
-            const int place = row * tile_edge + x;
-            n += rule_of_depth.keep({x - t.x0, down}, m, depth + place,
-                                    hn::Add(hn::Set(d, place), iota), out.at.data() + size + n,
-                                    out.z.data() + size + n);
+            const int place = row * tile_edge + t.x0 + x;
+            n += depth_rule.keep({x, row - t.y0}, m, depth + place,
+                                 hn::Add(hn::Set(d, place), iota), out.at.data() + size + n,
+                                 out.z.data() + size + n);
         }
     }
     // What lies behind the last fragment up to a full vector must be a place in the triangle too.

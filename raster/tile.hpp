@@ -174,7 +174,8 @@ lanes::Corners<typename M::Real, typename M::Channel> lane_corners(const TileTri
     }
     for (std::size_t k = 0; k < 3; ++k) out.colors[k] = &corner_color(t, k);
     out.one_color =
-        *out.colors[0] == *out.colors[1] && *out.colors[1] == *out.colors[2];
+        t.pass.mesh->one_color ||
+        (*out.colors[0] == *out.colors[1] && *out.colors[1] == *out.colors[2]);
     return out;
 }
 

@@ -47,7 +47,7 @@ TileEdges edges_in_tile(const TriangleSetup& setup, const PixelRectangle& pixels
 }
 
 bool set_near_depth(const lanes::DepthRule& rule, lanes::Triangle& t) {
-    constexpr double reach = 2 * lanes::tile_edge;
+    const double columns = t.x1 - t.x0 + static_cast<int>(lanes::widest), rows = t.y1 - t.y0;
     const double per_unit = rule.steps / t.area;
     const auto weighted = [&](double lanes::Plane::*part) {
         return (t.dz1 * t.e[1].*part + t.dz2 * t.e[2].*part) * per_unit;
@@ -56,12 +56,13 @@ bool set_near_depth(const lanes::DepthRule& rule, lanes::Triangle& t) {
                     weighted(&lanes::Plane::dx), weighted(&lanes::Plane::dy)};
     const auto largest = [&](std::size_t k, double dz) {
         return std::fabs(dz) * per_unit *
-               (std::fabs(t.e[k].first) + (std::fabs(t.e[k].dx) + std::fabs(t.e[k].dy)) * reach);
+               (std::fabs(t.e[k].first) + std::fabs(t.e[k].dx) * columns +
+                std::fabs(t.e[k].dy) * rows);
     };
     const auto in_range = [](double z) { return z >= 0.0 && z <= 1.0; };
-    // Each rounding strays by 2^-53 of the largest term.
+    // Each rounding strays by 2^-53 of the largest term, and a row has up to 16 steps of a vector.
     return rule.steps < 0x1p24 && in_range(t.z0) && in_range(t.z0 + t.dz1) &&
-           in_range(t.z0 + t.dz2) && largest(1, t.dz1) + largest(2, t.dz2) <= 0x1p29;
+           in_range(t.z0 + t.dz2) && largest(1, t.dz1) + largest(2, t.dz2) <= 0x1p27;
 }
 
 }  // namespace twofold

@@ -185,6 +185,7 @@ template <NumericModel M>
 void color_vertices(const M& m, const GroupGeometry<M>& g, WindowMesh<M>& out) {
     using A = typename M::Vertex;
     resize(out, g.mesh.positions.size(), g.sets);
+    out.one_color = g.mesh.colors.empty();
     for (std::size_t i = 0; i < g.mesh.positions.size(); ++i) {
         const Vec4 color = g.mesh.colors.empty() ? g.state.color : g.mesh.colors[i];
         const Vec4 secondary =

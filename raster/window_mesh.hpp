@@ -36,6 +36,7 @@ struct WindowMesh {
     std::vector<Outcode> outcodes;  ///< of the mesh's vertices
     std::vector<MeshTriangle> triangles;
     bool flat = false;
+    bool one_color = false;  ///< all vertices have the same
 };
 
 /// A pass group with what its vertices and triangles are made from.
