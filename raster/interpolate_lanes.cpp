@@ -158,11 +158,6 @@ struct Near {
     }
 };
 
-/// The same for both units: one reciprocal serves them.
-bool same_q(const Near& a, const Near& b) {
-    return a.usable && b.usable && a.q_of_vertex == b.q_of_vertex;
-}
-
 HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const ByteCorners& c,
                                                const Shader<std::uint32_t>& s, std::size_t u,
                                                const std::int32_t* at) {
@@ -180,33 +175,44 @@ HWY_INLINE void store(const Footprints& f, std::size_t u, std::size_t i, ByteBat
     hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + i));
 }
 
-/// Footprints by linear numbers and a reciprocal where no doubt is left, else as the reference does.
-void place_near(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
-                std::size_t first, std::size_t units, const std::array<Near, lane_units>& near,
-                std::size_t count, ByteBatch& out) {
+/// Footprints of one unit by linear numbers and 1/q where no doubt is left, else as the reference
+/// does.
+HWY_INLINE void place_near(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
+                           std::size_t u, const FourPlanes& p, const Two& x, const Two& y,
+                           const Two& over_q, std::size_t i, ByteBatch& out) {
+    const auto u_low = fixed(hn::Mul(p.at(Near::x, x.low, y.low), over_q.low));
+    const auto v_low = fixed(hn::Mul(p.at(Near::y, x.low, y.low), over_q.low));
+    const auto u_high = fixed(hn::Mul(p.at(Near::x, x.high, y.high), over_q.high));
+    const auto v_high = fixed(hn::Mul(p.at(Near::y, x.high, y.high), over_q.high));
+    const auto doubt = hn::Or(hn::Or(in_doubt(u_low), in_doubt(v_low)),
+                              hn::Or(in_doubt(u_high), in_doubt(v_high)));
+    if (HWY_LIKELY(hn::AllFalse(U(), doubt)))
+        store(footprints_at(s.unit[u].image, floors(u_low, u_high), floors(v_low, v_high)), u, i,
+              out);
+    else
+        store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
+}
+
+/// Units first to first + units - 1, all near.
+void place_near_units(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
+                      std::size_t first, std::size_t units,
+                      const std::array<Near, lane_units>& near, std::size_t count,
+                      ByteBatch& out) {
     const DI di;
-    const FourPlanes& q = near[first].planes;
+    const bool shared = units == 2 && near[0].q_of_vertex == near[1].q_of_vertex;
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
-        const std::int32_t* const places = out.places.at.data() + i;
-        const VI v = hn::LoadU(di, places);
+        const VI v = hn::LoadU(di, out.places.at.data() + i);
         const Two x = as_real(hn::Sub(column_of(v), hn::Set(di, t.x0)));
         const Two y = as_real(hn::Sub(row_of(v), hn::Set(di, t.y0)));
-        const V low = near_reciprocal(q.at(Near::q, x.low, y.low));
-        const V high = near_reciprocal(q.at(Near::q, x.high, y.high));
-        for (std::size_t u = first; u < first + units; ++u) {
+        const auto over_q = [&](std::size_t u) HWY_ATTR {
             const FourPlanes& p = near[u].planes;
-            const auto u_low = fixed(hn::Mul(p.at(Near::x, x.low, y.low), low));
-            const auto v_low = fixed(hn::Mul(p.at(Near::y, x.low, y.low), low));
-            const auto u_high = fixed(hn::Mul(p.at(Near::x, x.high, y.high), high));
-            const auto v_high = fixed(hn::Mul(p.at(Near::y, x.high, y.high), high));
-            const auto doubt = hn::Or(hn::Or(in_doubt(u_low), in_doubt(v_low)),
-                                      hn::Or(in_doubt(u_high), in_doubt(v_high)));
-            if (HWY_LIKELY(hn::AllFalse(U(), doubt)))
-                store(footprints_at(s.unit[u].image, floors(u_low, u_high), floors(v_low, v_high)),
-                      u, i, out);
-            else
-                store(footprints_by_division(t, c, s, u, places), u, i, out);
-        }
+            return Two{near_reciprocal(p.at(Near::q, x.low, y.low)),
+                       near_reciprocal(p.at(Near::q, x.high, y.high))};
+        };
+        const Two over = over_q(first);
+        place_near(t, c, s, first, near[first].planes, x, y, over, i, out);
+        if (units == 1) continue;
+        place_near(t, c, s, 1, near[1].planes, x, y, shared ? over : over_q(1), i, out);
     }
 }
 
@@ -220,10 +226,11 @@ void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint
                  std::size_t count, ByteBatch& out) {
     const Reach reach = reach_of(t);
     const std::array<Near, lane_units> near{Near(t, reach, c, s, 0), Near(t, reach, c, s, 1)};
-    if (same_q(near[0], near[1])) return place_near(t, c, s, 0, s.units, near, count, out);
+    if (near[0].usable && near[1].usable)
+        return place_near_units(t, c, s, 0, 2, near, count, out);
     for (std::size_t u = 0; u < s.units; ++u) {
         if (near[u].usable)
-            place_near(t, c, s, u, 1, near, count, out);
+            place_near_units(t, c, s, u, 1, near, count, out);
         else
             place_exactly(t, c, s, u, count, out);
     }
