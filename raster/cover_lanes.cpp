@@ -232,6 +232,15 @@ Covered cover_f64(const Triangle& t, const DepthRule& rule, double* depth, int r
                   std::size_t size, BatchPlaces& out) {
     return cover_rows<RealDepth>(t, rule, depth, row, size, out);
 }
+/// Whole cache lines at a time where vectors are so wide: a processor need not read them first.
+void fill_u32(std::uint32_t* words, std::size_t size, std::uint32_t value) {
+    const hn::ScalableTag<std::uint32_t> d;
+    const std::size_t lanes = hn::Lanes(d);
+    const auto values = hn::Set(d, value);
+    std::size_t i = 0;
+    for (; i + lanes <= size; i += lanes) hn::StoreU(values, d, words + i);
+    for (; i < size; ++i) words[i] = value;
+}
 const char* target_name() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace
@@ -244,6 +253,7 @@ namespace twofold::lanes {
 
 HWY_EXPORT(cover_u32);
 HWY_EXPORT(cover_f64);
+HWY_EXPORT(fill_u32);
 HWY_EXPORT(target_name);
 
 Covered cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, int row,
@@ -253,6 +263,9 @@ Covered cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, in
 Covered cover(const Triangle& t, const DepthRule& rule, double* depth, int row, std::size_t size,
               BatchPlaces& out) {
     return HWY_DYNAMIC_DISPATCH(cover_f64)(t, rule, depth, row, size, out);
+}
+void fill(std::uint32_t* words, std::size_t size, std::uint32_t value) {
+    HWY_DYNAMIC_DISPATCH(fill_u32)(words, size, value);
 }
 const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 

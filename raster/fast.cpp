@@ -107,12 +107,20 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
     return state;
 }
 
+template <class T>
+void fill(T* first, std::size_t size, const T& value) {
+    if constexpr (std::is_same_v<T, std::uint32_t>)
+        lanes::fill(first, size, value);
+    else
+        std::fill_n(first, size, value);
+}
+
 template <NumericModel M>
 void clear_tile(FastState<M>& state, const PixelRectangle& area) {
     const auto clear = stored_color<M>(clear_color(state.m, state.frame));
+    const auto width = static_cast<std::size_t>(area.x1 - area.x0);
     for (auto y = area.y0; y < area.y1; ++y)
-        std::fill_n(state.color.begin() + static_cast<std::ptrdiff_t>(y * state.frame.width + area.x0),
-                    area.x1 - area.x0, clear);
+        fill(state.color.data() + y * state.frame.width + area.x0, width, clear);
 }
 
 template <NumericModel M>
@@ -124,7 +132,7 @@ void start_tile(FastState<M>& state, const PixelRectangle& area, TileMemory<M>& 
     tile.depth_bits = frame.depth_bits;
     tile.stride = static_cast<std::size_t>(frame.width);
     tile.color = state.color.data() + area.y0 * frame.width + area.x0;
-    tile.depth.fill(state.m.depth(frame.clear_depth, frame.depth_bits));
+    fill(tile.depth.data(), tile.depth.size(), state.m.depth(frame.clear_depth, frame.depth_bits));
     if (!frame.initial_color) return clear_tile(state, area);
     for (auto y = area.y0; y < area.y1; ++y)
         for (auto x = area.x0; x < area.x1; ++x)

@@ -105,6 +105,7 @@ struct Near {
     FourPlanes planes;
     std::array<double, 3> q_of_vertex;
     bool usable = false;
+    bool moderate = false;  ///< a product of two such q is a number of binary32
 
     HWY_INLINE Near(const Triangle& t, const Reach& reach, const ByteCorners& c,
                     const Shader<std::uint32_t>& s, std::size_t u) {
@@ -120,6 +121,7 @@ struct Near {
                                                std::fabs(q_of_vertex[2]));
         usable = largest[x] <= 0x1p26 * least && largest[y] <= 0x1p26 * least &&
                  largest[q] <= 0x1p8 * least;
+        moderate = usable && least >= 0x1p-50 && largest[q] <= 0x1p50;
     }
 
   private:
@@ -193,26 +195,74 @@ HWY_INLINE void place_near(const Triangle& t, const ByteCorners& c, const Shader
         store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
 }
 
-/// Units first to first + units - 1, all near.
-void place_near_units(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
-                      std::size_t first, std::size_t units,
-                      const std::array<Near, lane_units>& near, std::size_t count,
-                      ByteBatch& out) {
+/// 1/q of both units at a vector of fragments.
+struct Reciprocals {
+    std::array<Two, lane_units> over_q;
+};
+
+/// How many divisions the reciprocals take: one where both q are the same or their product can be
+/// divided by.
+enum class Divisions { same, product, each };
+
+Divisions divisions_of(const Near& a, const Near& b) {
+    if (a.q_of_vertex == b.q_of_vertex) return Divisions::same;
+    return a.moderate && b.moderate ? Divisions::product : Divisions::each;
+}
+
+HWY_INLINE Reciprocals reciprocals_of(Divisions divisions, const std::array<Near, lane_units>& near,
+                                      const Two& x, const Two& y) {
+    const auto q = [&](std::size_t u) HWY_ATTR {
+        return Two{near[u].planes.at(Near::q, x.low, y.low),
+                   near[u].planes.at(Near::q, x.high, y.high)};
+    };
+    const auto reciprocal = [](const Two& v) HWY_ATTR {
+        return Two{near_reciprocal(v.low), near_reciprocal(v.high)};
+    };
+    const auto product = [](const Two& a, const Two& b) HWY_ATTR {
+        return Two{hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+    };
+    const Two q0 = q(0);
+    if (divisions == Divisions::same) {
+        const Two over = reciprocal(q0);
+        return {{over, over}};
+    }
+    const Two q1 = q(1);
+    if (divisions == Divisions::each) return {{reciprocal(q0), reciprocal(q1)}};
+    const Two over = reciprocal(product(q0, q1));
+    return {{product(over, q1), product(over, q0)}};
+}
+
+HWY_INLINE Two columns_of(const Triangle& t, VI at) {
+    return as_real(hn::Sub(column_of(at), hn::Set(DI(), t.x0)));
+}
+HWY_INLINE Two rows_of(const Triangle& t, VI at) {
+    return as_real(hn::Sub(row_of(at), hn::Set(DI(), t.y0)));
+}
+
+/// Both units, near.
+void place_both(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
+                const std::array<Near, lane_units>& near, std::size_t count, ByteBatch& out) {
     const DI di;
-    const bool shared = units == 2 && near[0].q_of_vertex == near[1].q_of_vertex;
+    const Divisions divisions = divisions_of(near[0], near[1]);
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
-        const VI v = hn::LoadU(di, out.places.at.data() + i);
-        const Two x = as_real(hn::Sub(column_of(v), hn::Set(di, t.x0)));
-        const Two y = as_real(hn::Sub(row_of(v), hn::Set(di, t.y0)));
-        const auto over_q = [&](std::size_t u) HWY_ATTR {
-            const FourPlanes& p = near[u].planes;
-            return Two{near_reciprocal(p.at(Near::q, x.low, y.low)),
-                       near_reciprocal(p.at(Near::q, x.high, y.high))};
-        };
-        const Two over = over_q(first);
-        place_near(t, c, s, first, near[first].planes, x, y, over, i, out);
-        if (units == 1) continue;
-        place_near(t, c, s, 1, near[1].planes, x, y, shared ? over : over_q(1), i, out);
+        const VI at = hn::LoadU(di, out.places.at.data() + i);
+        const Two x = columns_of(t, at), y = rows_of(t, at);
+        const Reciprocals r = reciprocals_of(divisions, near, x, y);
+        place_near(t, c, s, 0, near[0].planes, x, y, r.over_q[0], i, out);
+        place_near(t, c, s, 1, near[1].planes, x, y, r.over_q[1], i, out);
+    }
+}
+
+/// One unit, near.
+void place_one(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
+               std::size_t u, const FourPlanes& planes, std::size_t count, ByteBatch& out) {
+    const DI di;
+    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
+        const VI at = hn::LoadU(di, out.places.at.data() + i);
+        const Two x = columns_of(t, at), y = rows_of(t, at);
+        const Two over_q{near_reciprocal(planes.at(Near::q, x.low, y.low)),
+                         near_reciprocal(planes.at(Near::q, x.high, y.high))};
+        place_near(t, c, s, u, planes, x, y, over_q, i, out);
     }
 }
 
@@ -226,11 +276,10 @@ void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint
                  std::size_t count, ByteBatch& out) {
     const Reach reach = reach_of(t);
     const std::array<Near, lane_units> near{Near(t, reach, c, s, 0), Near(t, reach, c, s, 1)};
-    if (near[0].usable && near[1].usable)
-        return place_near_units(t, c, s, 0, 2, near, count, out);
+    if (near[0].usable && near[1].usable) return place_both(t, c, s, near, count, out);
     for (std::size_t u = 0; u < s.units; ++u) {
         if (near[u].usable)
-            place_near_units(t, c, s, u, 1, near, count, out);
+            place_one(t, c, s, u, near[u].planes, count, out);
         else
             place_exactly(t, c, s, u, count, out);
     }

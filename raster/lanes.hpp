@@ -125,6 +125,9 @@ using ByteCorners = Corners<double, int>;
 template <class Real>
 using RealCorners = Corners<Real, Real>;
 
+/// Sets `size` words to a value.
+void fill(std::uint32_t* words, std::size_t size, std::uint32_t value);
+
 /// Where covering a triangle stands: the row to go on with, and the fragments found.
 struct Covered {
     int row;

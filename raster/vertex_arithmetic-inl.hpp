@@ -22,7 +22,7 @@ HWY_INLINE V masked(V v, std::uint64_t bits) {
 
 /// IeeeArithmetic<double>.
 struct Binary64 {
-    static constexpr bool zero_leaves_no_trace = false;  // the sign of zero, 0 times infinity
+    static constexpr bool sums_products = false;
     static HWY_INLINE V word(V x) { return x; }
     static HWY_INLINE V mul(V a, V b) { return hn::Mul(a, b); }
     static HWY_INLINE V sum(V a, V b) { return hn::Add(a, b); }
@@ -39,7 +39,7 @@ struct Binary64 {
 /// IeeeArithmetic<float>: every operation of two binary32 numbers in binary64, rounded to binary32
 /// afterwards, gives what binary32 gives (2 x 24 + 2 <= 53).
 struct Binary32 {
-    static constexpr bool zero_leaves_no_trace = false;
+    static constexpr bool sums_products = false;
     static HWY_INLINE V word(V x) {
         const hn::Rebind<float, D> narrow;
         return hn::PromoteTo(D(), hn::DemoteTo(narrow, x));
@@ -63,8 +63,8 @@ inline constexpr double least_normal = 0x1p-126, largest_finite = 0x1.fffffep127
 /// texunit/nv1x_arithmetic.hpp for finite words, held in binary64: products of two words are exact
 /// there, and cutting to 24 bits is a mask.
 struct Nv1x {
-    /// 0 times anything is +0, and so is a sum of zeros.
-    static constexpr bool zero_leaves_no_trace = true;
+    /// 0 times anything is +0, and so is a sum of zeros: terms of 0 can be left out.
+    static constexpr bool sums_products = true;
     /// Cut toward zero; too small gives 0, too large the largest number.
     static HWY_INLINE V composed(V exact) {
         const V cut = masked(exact, to_24_bits);
@@ -92,6 +92,36 @@ struct Nv1x {
         return composed(hn::Mul(total, hn::Mul(p, set(0x1p-28))));
     }
     static HWY_INLINE V larger(V a, V b) { return hn::Max(hn::Abs(a), hn::Abs(b)); }
+
+    /// The sum of the products a[k] b[k]. Where the largest is far from both ends of the range no
+    /// product and no sum needs its limits: one below 2^-126 is cut off by the common unit.
+    template <std::size_t N>
+    static HWY_INLINE V sum_of_products(const std::array<V, N>& a, const std::array<V, N>& b) {
+        return over_terms(std::make_index_sequence<N>(), a, b);
+    }
+    template <std::size_t N, std::size_t... K>
+    static HWY_INLINE V over_terms(std::index_sequence<K...>, const std::array<V, N>& a,
+                                   const std::array<V, N>& b) {
+        const std::array<V, N> exact{hn::Mul(a[K], b[K])...};
+        V most = hn::Abs(exact[0]);
+        ((most = hn::Max(most, hn::Abs(exact[K]))), ...);
+        const D d;
+        const Mask moderate = hn::Or(hn::And(hn::Gt(most, set(0x1p-90)), hn::Lt(most, set(0x1p120))),
+                                     hn::Eq(most, hn::Zero(d)));
+        if (HWY_UNLIKELY(!hn::AllTrue(d, moderate)))
+            return sum_of(most_of(composed(exact[K])...), composed(exact[K])...);
+        const V p = power(hn::Max(most, set(least_normal)));
+        const V units = hn::Mul(over_power(p), set(0x1p28));
+        V total = set(0.0);
+        ((total = hn::Add(total, hn::Trunc(hn::Mul(masked(exact[K], to_24_bits), units)))), ...);
+        return masked(hn::Mul(total, hn::Mul(p, set(0x1p-28))), to_24_bits);
+    }
+    template <class... Terms>
+    static HWY_INLINE V most_of(Terms... terms) {
+        V most = set(0.0);
+        ((most = hn::Max(most, hn::Abs(terms))), ...);
+        return most;
+    }
     static HWY_INLINE V sum(V a, V b, V c, V d) {
         return sum_of(hn::Max(larger(a, b), larger(c, d)), a, b, c, d);
     }

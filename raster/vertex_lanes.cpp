@@ -1,5 +1,8 @@
 #include "raster/vertex_lanes.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "raster/clip.hpp"
 #include "raster/lane_targets.hpp"
 #undef HWY_TARGET_INCLUDE
@@ -21,32 +24,51 @@ struct Three {
     V x, y, z;
 };
 
-/// A row times a vector where terms of 0 leave no trace: texture matrices are full of them.
+/// The terms of a row times a vector that are not 0: texture matrices are full of zeros.
+struct Terms {
+    std::array<V, 4> a, b;
+    std::size_t size = 0;
+
+    HWY_INLINE Terms(const Row& row, const Four& v) {
+        add(row[0], v.x);
+        add(row[1], v.y);
+        add(row[2], v.z);
+        add(row[3], v.w);
+    }
+    HWY_INLINE void add(double coefficient, V v) {
+        if (coefficient == 0.0) return;
+        a[size] = set(coefficient);
+        b[size++] = v;
+    }
+    template <class A, std::size_t N>
+    HWY_INLINE V sum() const {
+        std::array<V, N> x, y;
+        std::copy_n(a.begin(), N, x.begin());
+        std::copy_n(b.begin(), N, y.begin());
+        return A::sum_of_products(x, y);
+    }
+};
+
 template <class A>
 HWY_INLINE V sparse_dot4(const Row& row, const Four& v) {
-    std::array<V, 4> term{};
-    std::size_t n = 0;
-    if (row[0] != 0.0) term[n++] = A::mul(set(row[0]), v.x);
-    if (row[1] != 0.0) term[n++] = A::mul(set(row[1]), v.y);
-    if (row[2] != 0.0) term[n++] = A::mul(set(row[2]), v.z);
-    if (row[3] != 0.0) term[n++] = A::mul(set(row[3]), v.w);
-    switch (n) {
+    const Terms terms(row, v);
+    switch (terms.size) {
         case 0:
             return set(0.0);
         case 1:
-            return term[0];
+            return A::mul(terms.a[0], terms.b[0]);
         case 2:
-            return A::sum(term[0], term[1]);
+            return terms.template sum<A, 2>();
         case 3:
-            return A::sum(term[0], term[1], term[2]);
+            return terms.template sum<A, 3>();
         default:
-            return A::sum(term[0], term[1], term[2], term[3]);
+            return terms.template sum<A, 4>();
     }
 }
 
 template <class A>
 HWY_NOINLINE V dot4(const Row& row, const Four& v) {
-    if constexpr (A::zero_leaves_no_trace) return sparse_dot4<A>(row, v);
+    if constexpr (A::sums_products) return sparse_dot4<A>(row, v);
     return A::sum(A::mul(set(row[0]), v.x), A::mul(set(row[1]), v.y), A::mul(set(row[2]), v.z),
                   A::mul(set(row[3]), v.w));
 }
@@ -56,6 +78,8 @@ HWY_NOINLINE Four multiply(const Rows& m, const Four& v) {
 }
 template <class A>
 HWY_NOINLINE V dot3(const Three& a, const Three& b) {
+    if constexpr (A::sums_products)
+        return A::sum_of_products(std::array{a.x, a.y, a.z}, std::array{b.x, b.y, b.z});
     return A::sum(A::mul(a.x, b.x), A::mul(a.y, b.y), A::mul(a.z, b.z));
 }
 template <class A>
