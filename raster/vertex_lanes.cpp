@@ -91,7 +91,9 @@ HWY_INLINE Three scaled(const Three& v, V by) {
     return {A::mul(v.x, by), A::mul(v.y, by), A::mul(v.z, by)};
 }
 
-HWY_INLINE V column(const double* p, std::size_t i) { return hn::LoadU(D(), p + i); }
+HWY_INLINE V column(const VertexSource& s, std::size_t i) {
+    return hn::LoadU(D(), s.values + i * s.step);
+}
 
 /// unit() of texgen.hpp; `wild` collects lengths of 0.
 template <class A>
@@ -234,21 +236,20 @@ HWY_INLINE void transform_vector(const VertexRule& rule, const VertexInput& in, 
         const Four c = coordinates<A>(rule.set[k], s,
                                       {column(own[0], from), column(own[1], from),
                                        column(own[2], from), column(own[3], from)});
-        const auto store = [&](V v, std::size_t n) HWY_ATTR {
-            hn::Store(rule.over_w ? A::mul(v, rw) : v, d, out.coords[k][n].data() + i);
+        const auto stored = [&](V v, std::size_t n) HWY_ATTR {
+            const V value = rule.over_w ? A::mul(v, rw) : v;
+            hn::Store(value, d, out.coords[k][n].data() + i);
+            return value;
         };
-        store(c.x, 0);
-        store(c.y, 1);
-        store(c.z, 2);
-        store(c.w, 3);
-        const V w = rule.over_w ? A::mul(c.w, rw) : c.w;
-        const auto kept = [&](std::size_t n) HWY_ATTR {
-            return within(hn::Load(d, out.coords[k][n].data() + i), largest_coordinate);
-        };
+        const V x = stored(c.x, 0), y = stored(c.y, 1), w = stored(c.w, 3);
+        stored(c.z, 2);
         const int bit = static_cast<int>(k);
         flags.add(hn::Ge(w, set(smallest_q)), bit);
         flags.add(hn::Le(w, set(-smallest_q)), 4 + bit);
-        flags.add(hn::And(hn::And(kept(0), kept(1)), kept(3)), 8 + bit);
+        const Mask bounded = hn::And(hn::And(within(x, largest_coordinate),
+                                             within(y, largest_coordinate)),
+                                     within(w, largest_coordinate));
+        flags.add(bounded, 8 + bit);
     }
     const V emitted = hn::Load(d, out.inverse_w.data() + i);
     flags.add(hn::And(within(hn::Load(d, out.z.data() + i), largest_coordinate),

@@ -42,11 +42,18 @@ struct VertexRule {
     double width, height;  ///< of the picture, pixels
 };
 
-/// A mesh's vertices as the arithmetic takes them, one array per component.
+/// One component of all vertices: values[i step], up to a full vector further. With step 0 all
+/// vertices have the same.
+struct VertexSource {
+    const double* values;
+    std::size_t step;
+};
+
+/// A mesh's vertices as the arithmetic takes them.
 struct VertexInput {
-    std::array<const double*, 4> position;
-    std::array<const double*, 3> normal;
-    std::array<std::array<const double*, 4>, max_units> own;  ///< coordinates of each set
+    std::array<VertexSource, 4> position;
+    std::array<VertexSource, 3> normal;
+    std::array<std::array<VertexSource, 4>, max_units> own;  ///< coordinates of each set
 };
 
 template <class T>
@@ -63,8 +70,7 @@ struct VertexOutput {
     alignas(64) VertexColumn<double> wild;  ///< not 0
 };
 
-/// Vertices first to first + count - 1, at most vertex_block. Columns of the input are read up to a
-/// full vector further.
+/// Vertices first to first + count - 1, at most vertex_block.
 void transform_block(VertexArithmetic arithmetic, const VertexRule& rule, const VertexInput& in,
                      std::size_t first, std::size_t count, VertexOutput& out);
 

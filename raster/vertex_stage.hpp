@@ -1,9 +1,11 @@
 #pragma once
+#include <bit>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <type_traits>
 
+#include "raster/lanes.hpp"
 #include "raster/vertex_lanes.hpp"
 #include "raster/window_mesh.hpp"
 
@@ -27,6 +29,10 @@ double held(double x) {
     return chip && std::fabs(word) < 0x1p-126 ? 0.0 : word;
 }
 
+inline bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
 /// A mesh's vertices by component, as VertexInput points at them, and what is made of them.
 struct VertexColumns {
     std::vector<std::vector<double>> columns;
@@ -35,15 +41,21 @@ struct VertexColumns {
     bool usable = false;  ///< vectors know what the group asks for
 };
 
-/// Adds the column of value(i) for every vertex, and a full vector more.
+/// Adds the column of value(i) for every vertex, and a full vector more; one vector where all have
+/// the same.
 template <class Arithmetic, class Value>
-const double* add_column(VertexColumns& out, std::size_t vertices, Value&& value) {
-    auto& column = out.columns.emplace_back(vertices + 16, 0.0);
+lanes::VertexSource add_column(VertexColumns& out, std::size_t vertices, Value&& value) {
+    auto& column = out.columns.emplace_back(vertices + lanes::widest, 0.0);
+    bool constant = true;
     for (std::size_t i = 0; i < vertices; ++i) {
         column[i] = held<Arithmetic>(value(i));
         if (!std::isfinite(column[i])) out.usable = false;
+        constant = constant && same_bits(column[i], column[0]);
     }
-    return column.data();
+    if (!constant) return {column.data(), 1};
+    const double only = column[0];
+    column = std::vector<double>(lanes::widest, only);
+    return {column.data(), 0};
 }
 
 template <class Arithmetic>
