@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console.hpp"
+#include "scenes/object_passes.hpp"
 #include "scenes/scene_file.hpp"
 #include "study/pictures.hpp"
 #include "study/results_json.hpp"
@@ -65,16 +66,19 @@ void print_scale(const FactoredMaterials& materials) {
 }
 
 void print_fit(const FactoredMaterials& materials) {
-    for (const auto& [name, lighting] : materials)
+    for (const auto& [name, lighting] : materials) {
+        fmt::print("{}: model {}, {} passes\n", name, name_of(lighting.model),
+                   pass_count(lighting));
         for (std::size_t c = 0; c < 3; ++c) {
             const ChannelFit& f = lighting.fit[c];
             fmt::print(
                 "{} {}: {} in {} iterations, relative rms {:.4f}, log rms {:.4f}, median {:.4f}, "
-                "p95 {:.4f}, c {:.4g}\n",
+                "p95 {:.4f}, {:.2f} dB, c {:.4g}\n",
                 name, channel_name(c), status_text(lighting, c), f.solver.iterations,
-                f.relative_rms, f.log_rms, f.median, f.p95,
+                f.relative_rms, f.log_rms, f.median, f.p95, f.psnr,
                 lighting.terms[0].c[static_cast<int>(c)]);
         }
+    }
 }
 
 void print_steps(const std::vector<RunStep>& steps) {
@@ -102,9 +106,8 @@ void write_picture(const std::filesystem::path& path, const Framebuffer& picture
 
 /// Only the reference looks at every fragment and counts it.
 Json picture_json(Preset preset, Pipeline pipeline, const Framebuffer& picture) {
-    Json json = {{"preset", name_of(preset)},
-                 {"pipeline", name_of(pipeline)},
-                 {"hash", hash_of(picture)}};
+    Json json = {
+        {"preset", name_of(preset)}, {"pipeline", name_of(pipeline)}, {"hash", hash_of(picture)}};
     if (pipeline == Pipeline::reference) json["counters"] = to_json(picture.counters);
     return json;
 }

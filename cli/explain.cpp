@@ -50,6 +50,7 @@ FactoredLighting stand_in(const FactorSettings& settings) {
     ProductTerm term;
     term.t1 = term.t2 = make_factor_map({white, white, white}, shape, "stand-in");
     FactoredLighting lighting;
+    lighting.model = settings.model;
     lighting.terms.assign(static_cast<std::size_t>(settings.terms), term);
     return lighting;
 }
@@ -129,7 +130,8 @@ ExitCode explain_scene(const ExplainOptions& options, const CommonOptions& commo
     const std::string triangles =
         "on vectors but for triangles whose coordinates are beyond bounds or whose q changes sign";
     if (common.json) {
-        fmt::print("{}\n", Json{{"passes", passes}, {"note", note}, {"vectors", triangles}}.dump(2));
+        fmt::print("{}\n",
+                   Json{{"passes", passes}, {"note", note}, {"vectors", triangles}}.dump(2));
         return ExitCode::ok;
     }
     fmt::print("{}\n", triangles);
@@ -138,16 +140,15 @@ ExitCode explain_scene(const ExplainOptions& options, const CommonOptions& commo
 }
 
 constexpr const char* cost_note =
-    "percent of the frame's processor time, one thread, measured by leaving the effect out: of this "
+    "percent of the frame's processor time, one thread, measured by leaving the effect out: of "
+    "this "
     "machine, noisy, and not additive; negative where it saves work";
 
 Json cost_json(Preset preset, const FrameCost& cost) {
     Json effects = Json::array();
     for (const EffectCost& e : cost.effects)
-        effects.push_back({{"effect", e.effect},
-                           {"percent", e.percent},
-                           {"least", e.least},
-                           {"most", e.most}});
+        effects.push_back(
+            {{"effect", e.effect}, {"percent", e.percent}, {"least", e.least}, {"most", e.most}});
     return {{"preset", name_of(preset)},
             {"frame_ms", cost.seconds * 1e3},
             {"effects", effects},

@@ -1,7 +1,6 @@
 #include "factor/closed_form.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "factor/lighting.hpp"
 #include "texunit/exact_math.hpp"
@@ -17,23 +16,6 @@ std::vector<Vec3> texel_directions(const MapShape& shape) {
     return directions;
 }
 
-/// A channel of values >= 0, divided by the largest.
-NormalisedChannel divided_by_largest(std::vector<double> texels, const MapShape& shape) {
-    const double largest = *std::max_element(texels.begin(), texels.end());
-    if (!(largest > 0.0)) return black_channel(shape);
-    for (double& texel : texels) texel /= largest;
-    return {std::move(texels), exact::log(largest)};
-}
-
-ChannelProduct product_of(NormalisedChannel t1, NormalisedChannel t2) {
-    const auto maximum = [](const NormalisedChannel& map) {
-        const bool black = *std::max_element(map.texel.begin(), map.texel.end()) == 0.0;
-        return black ? 0.0 : exact::exp(map.log_maximum);
-    };
-    const double scale = maximum(t1) * maximum(t2);
-    return {std::move(t1), std::move(t2), {}, scale};
-}
-
 using Channels = std::array<ChannelProduct, 3>;
 
 Channels diffuse_product(const Brdf& brdf, const DistantLights& lights, const MapShape& shape,
@@ -44,7 +26,7 @@ Channels diffuse_product(const Brdf& brdf, const DistantLights& lights, const Ma
     Channels channels;
     for (int c = 0; c < 3; ++c)
         channels[static_cast<std::size_t>(c)] =
-            product_of(divided_by_largest(channel_of(radiance, c), shape), white_channel(shape));
+            product_of(normalised_values(channel_of(radiance, c), shape), white_channel(shape));
     return channels;
 }
 
@@ -63,7 +45,7 @@ Channels phong_product(const ModifiedPhong& phong, Vec3 l, Rgb weight, const Map
             mirrored.push_back(weight[c] * (phong.diffuse[c] / exact::pi +
                                             phong.specular[c] * normalisation * value));
         channels[static_cast<std::size_t>(c)] =
-            product_of(divided_by_largest(cosine, shape), divided_by_largest(mirrored, shape));
+            product_of(normalised_values(cosine, shape), normalised_values(mirrored, shape));
     }
     return channels;
 }

@@ -54,6 +54,13 @@ void DistantLights::push_back(Vec3 direction, Rgb weight) {
     b.push_back(weight.z);
 }
 
+DistantLights turned(const DistantLights& lights, const Mat3& turn) {
+    DistantLights result;
+    for (std::size_t k = 0; k < lights.size(); ++k)
+        result.push_back(normalized(turn * lights.direction(k)), lights.weight(k));
+    return bound_blocks(std::move(result));
+}
+
 DistantLights bound_blocks(DistantLights lights) {
     lights.cones.clear();
     for (std::size_t first = 0; first < lights.size(); first += light_patch) {

@@ -36,6 +36,9 @@ struct DistantLights {
     void push_back(Vec3 direction, Rgb weight);
 };
 
+/// The lights in a frame that `turn` takes the world to.
+DistantLights turned(const DistantLights& lights, const Mat3& turn);
+
 /// The same lights with the cone of each patch filled in; the lighting sum is the same to the last
 /// bit and faster. To be called after the last push_back.
 DistantLights bound_blocks(DistantLights lights);

@@ -64,6 +64,20 @@ NormalisedChannel normalised(std::span<const double> log_texels, const MapShape&
     return channel;
 }
 
+NormalisedChannel normalised_values(std::vector<double> texels, const MapShape& shape) {
+    double largest = 0.0;
+    for (std::size_t j = 0; j < texels.size(); ++j)
+        if (is_opaque(j, shape)) largest = max(largest, texels[j]);
+    if (!(largest > 0.0)) return black_channel(shape);
+    for (double& texel : texels) texel = min(texel / largest, 1.0);
+    return {std::move(texels), exact::log(largest)};
+}
+
+double maximum_of(const NormalisedChannel& channel) {
+    const bool black = *std::max_element(channel.texel.begin(), channel.texel.end()) == 0.0;
+    return black ? 0.0 : exact::exp(channel.log_maximum);
+}
+
 NormalisedChannel limited(const NormalisedChannel& channel, const MapShape& shape, double limit) {
     if (limit == 1.0) return channel;
     NormalisedChannel result{std::vector<double>(channel.texel.size()),
@@ -156,7 +170,8 @@ std::uint8_t to_byte(double x) {
 const char* face_name(std::size_t face, MapForm form) {
     constexpr std::array paraboloids{"front", "back"};
     constexpr std::array cube{"px", "nx", "py", "ny", "pz", "nz"};
-    return form == MapForm::cube ? cube[face] : paraboloids[face];
+    if (form == MapForm::dual_paraboloid) return paraboloids[face];
+    return form == MapForm::cube ? cube[face] : name_of(form);
 }
 
 const char* channel_name(std::size_t channel) {

@@ -27,6 +27,12 @@ struct NormalisedChannel {
 NormalisedChannel normalised(std::span<const double> log_texels, const MapShape& shape,
                              const std::string& name);
 
+/// The same for values themselves, >= 0: divided by the largest of alpha 1; black if that is 0.
+NormalisedChannel normalised_values(std::vector<double> texels, const MapShape& shape);
+
+/// The value that a channel's 1 stands for; 0 for a black channel.
+double maximum_of(const NormalisedChannel& channel);
+
 /// The same with `limit` of its values as the new 1, which takes what is above down to it.
 NormalisedChannel limited(const NormalisedChannel& channel, const MapShape& shape, double limit);
 
@@ -46,8 +52,8 @@ struct ByteLoss {
     double clipped_share = 0.0;  ///< share of texels that were lowered to the largest
 };
 
-/// A factor as textures: [0] the front paraboloid and [1] the back, or one cube map. Alpha is that
-/// of is_opaque(); colours go on beyond it.
+/// A factor as textures: [0] the front paraboloid and [1] the back, or one cube or sphere map.
+/// Alpha is that of is_opaque(); colours go on beyond it.
 struct FactorMap {
     MapShape shape;
     std::vector<Texture> real;     ///< Rgba32f in [0, 1]
@@ -69,7 +75,7 @@ ByteLoss byte_loss(std::span<const double> texels, const MapShape& shape);
 /// floor(255 x + 1/2) in 0..255.
 std::uint8_t to_byte(double x);
 
-/// "front" and "back", or "px", "nx", "py", "ny", "pz", "nz".
+/// "front" and "back", or "px", "nx", "py", "ny", "pz", "nz"; of other forms that of the form.
 const char* face_name(std::size_t face, MapForm form);
 
 /// "red", "green" or "blue".

@@ -118,14 +118,6 @@ ChannelResult factor_channel(const LeftSides& left, std::span<const double> radi
     return result;
 }
 
-void put_error(ChannelFit& fit, const FitError& error) {
-    fit.relative_rms = error.relative_rms;
-    fit.byte_rms = error.byte_rms;
-    fit.log_rms = error.log_rms;
-    fit.median = error.median;
-    fit.p95 = error.p95;
-}
-
 /// What the samples and the settings let one expect, before any channel is looked at.
 std::vector<std::string> sample_warnings(const LightingSamples& fit,
                                          const FactorSettings& settings) {
@@ -201,6 +193,7 @@ ProductTerm term_of(const ScaledProduct& product, const MapShape& shape) {
     term.scale_color = product.split.color;
     term.combiner_scale = product.split.combiner_scale;
     term.c = product.c;
+    term.subtract = red.subtract;
     for (int i = 0; i < 3; ++i) {
         const ChannelProduct& channel = product.channels[static_cast<std::size_t>(i)];
         if (channel.scale == 0.0) continue;
@@ -216,13 +209,24 @@ std::span<const PairFootprint> first_pairs(const std::vector<PairFootprint>& pai
 
 }  // namespace
 
+void put_error(ChannelFit& fit, const FitError& error) {
+    fit.relative_rms = error.relative_rms;
+    fit.byte_rms = error.byte_rms;
+    fit.log_rms = error.log_rms;
+    fit.median = error.median;
+    fit.p95 = error.p95;
+    fit.psnr = error.psnr;
+}
+
 FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
                            std::array<ChannelFit, 3> fit, const LightingSamples& judged,
-                           const FactorSettings& settings, double white) {
+                           const FactorSettings& settings, double white, int doubling_passes) {
     const MapShape shape = shape_of(settings);
     const std::vector<PairFootprint> pairs = footprints_of(judged.at, shape);
     FactoredLighting result;
+    result.model = settings.model;
     result.white = white;
+    result.doubling_passes = doubling_passes;
     result.fit = std::move(fit);
     std::vector<ScaledProduct> scaled;
     for (const auto& channels : terms) {
@@ -238,8 +242,9 @@ FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
     for (std::size_t c = 0; c < 3; ++c) {
         std::vector<ChannelProduct> channel;
         for (const ScaledProduct& product : scaled) channel.push_back(product.channels[c]);
-        put_error(result.fit[c],
-                  fit_error(channel, pairs, channel_of(judged.radiance, static_cast<int>(c))));
+        put_error(
+            result.fit[c],
+            fit_error(channel, pairs, channel_of(judged.radiance, static_cast<int>(c)), white));
     }
     return result;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "factor/distant_lights.hpp"
 #include "factor/factor_map.hpp"
 #include "factor/fit_error.hpp"
 #include "factor/samples.hpp"
@@ -21,6 +22,7 @@ struct ChannelFit {
 
     /// At the held-out pairs, or at the fit's own if none were given; defined in FitError.
     double relative_rms = 0.0, byte_rms = 0.0, log_rms = 0.0, median = 0.0, p95 = 0.0;
+    double psnr = 0.0;  ///< dB
 };
 
 /// One product of the sum:
@@ -35,25 +37,35 @@ struct ProductTerm {
     Rgb max1{0.0};             ///< what T1 was divided by; 0 in a black channel
     Rgb max2{0.0};             ///< what T2 was divided by
     Rgb c{0.0};                ///< max t1 max t2 max g / white
+    bool subtract = false;     ///< its passes take it off what is drawn already
+    bool sum_of_maps =
+        false;  ///< color x T1 + T2 in place of a product; see factor/prefiltered.hpp
 };
 
 /// The lighting function as a sum of products, each two textures, a constant and perhaps a table:
 /// L_o(v, n) / white ~ 2^doubling_passes x the sum of what the terms' passes show.
 struct FactoredLighting {
-    std::vector<ProductTerm> terms;  ///< one, unless FactorSettings::terms asks for more
+    Model model = Model::product;
+    std::vector<ProductTerm> terms;  ///< one, unless FactorSettings::terms asks for more; svd: the
+                                     ///< positive parts of its signed terms
     int doubling_passes = 0;         ///< 0 unless a term's c exceeds 4
     double white = 1.0;              ///< radiance that the picture shows as 1
-    std::string closed_form;         ///< the shortcut that gave the texels; empty: they were fitted
+    DistantLights lights;     ///< mccool: a pass each; the terms' constants are per irradiance
+    std::string closed_form;  ///< the shortcut that gave the texels; empty: they were fitted
     std::array<ChannelFit, 3> fit;
     std::vector<std::string> warnings;
 };
 
+/// Puts error figures into a channel's report.
+void put_error(ChannelFit& fit, const FitError& error);
+
 /// Puts the channels of the terms together: units and scale of the maps, images, error figures.
 /// @param terms by term, then channel; maps divided by their maxima
 /// @param fit what is known of the fits; the error figures are filled in
+/// @param doubling_passes at least so many
 FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
                            std::array<ChannelFit, 3> fit, const LightingSamples& judged,
-                           const FactorSettings& settings, double white);
+                           const FactorSettings& settings, double white, int doubling_passes = 0);
 
 /// Factors samples of the lighting function, each channel for itself. The result has the same bits
 /// at every number of threads.

@@ -44,8 +44,9 @@ void check_arguments(const LightingSamples& fit, const LightingSamples& held_out
             fmt::format("view_smoothness is {}", s.view_smoothness));
     require(s.terms >= 1 && s.terms <= 4, fmt::format("terms is {}", s.terms));
     require(
-        s.terms == 1 || s.refinement > 0,
+        s.terms == 1 || s.refinement > 0 || s.model != Model::product,
         fmt::format("terms is {} but refinement is 0, and only it tells products apart", s.terms));
+    require(s.rounds > 0, fmt::format("rounds is {}", s.rounds));
     require(s.refinement >= 0, fmt::format("refinement is {}", s.refinement));
     require(std::isfinite(s.refinement_weight),
             fmt::format("refinement_weight is {}", s.refinement_weight));

@@ -39,10 +39,10 @@ double fill(Vec3 direction, const std::vector<Known>& known, double power) {
            total;
 }
 
-/// Fills the texels of one map, `first` being its first unknown, that have no weight.
-/// @return how many those are
-std::size_t fill_map(Vector& x, const Vector& weight, std::size_t first, const MapShape& shape,
-                     double power, int threads) {
+}  // namespace
+
+std::size_t fill_untouched(Vector& x, const Vector& weight, std::size_t first,
+                           const MapShape& shape, double power, int threads) {
     const auto direction = [&](std::size_t j) {
         return texel_direction(texel_at(j, shape), shape);
     };
@@ -61,8 +61,6 @@ std::size_t fill_map(Vector& x, const Vector& weight, std::size_t first, const M
     return untouched.size();
 }
 
-}  // namespace
-
 FirstGuess first_guess(const LogRows& left, const ChannelRows& right, double power, int threads) {
     const Vector used = used_rows(left, right);
     const Vector weight = left.matrix.multiply_transpose(used, threads);
@@ -76,7 +74,7 @@ FirstGuess first_guess(const LogRows& left, const ChannelRows& right, double pow
         guess.x[j] = weight[j] > 0.0 ? guess.x[j] / weight[j] - share : 0.0;
     }
     for (const std::size_t first : {std::size_t{0}, left.shape.texels()}) {
-        guess.untouched += fill_map(guess.x, weight, first, left.shape, power, threads);
+        guess.untouched += fill_untouched(guess.x, weight, first, left.shape, power, threads);
     }
     return guess;
 }

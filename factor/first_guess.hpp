@@ -20,4 +20,9 @@ struct FirstGuess {
 /// @source seed paper, section 3.1, which states neither power nor metric
 FirstGuess first_guess(const LogRows& left, const ChannelRows& right, double power, int threads);
 
+/// Fills the texels of one map that have no weight as first_guess() does, `first` being the map's
+/// first unknown. @return how many those are
+std::size_t fill_untouched(Vector& x, const Vector& weight, std::size_t first,
+                           const MapShape& shape, double power, int threads);
+
 }  // namespace twofold

@@ -4,6 +4,7 @@
 
 #include "texunit/cube_map.hpp"
 #include "texunit/fixed.hpp"
+#include "texunit/sphere_map.hpp"
 
 namespace twofold {
 
@@ -29,7 +30,8 @@ struct MapPoint {
 };
 
 MapPoint point_of(Vec3 d, const MapShape& shape) {
-    if (shape.form == MapForm::dual_paraboloid) {
+    if (shape.form == MapForm::sphere) return {0, to_sphere_map(d)};
+    if (shape.form != MapForm::cube) {
         const ParaboloidPoint point = to_paraboloid(d, shape.guard);
         return {static_cast<std::size_t>(point.face), point.st};
     }
@@ -77,19 +79,21 @@ std::uint32_t texel_index(const MapTexel& texel, const MapShape& shape) {
 }
 
 Vec3 texel_direction(const MapTexel& texel, const MapShape& shape) {
-    if (shape.form == MapForm::dual_paraboloid)
-        return texel_direction(on_paraboloid(texel), shape.size, shape.guard);
     const Vec2 st{(texel.x + 0.5) / shape.size, (texel.y + 0.5) / shape.size};
+    if (shape.form == MapForm::sphere) return from_sphere_map(st);
+    if (shape.form != MapForm::cube)
+        return texel_direction(on_paraboloid(texel), shape.size, shape.guard);
     return normalized(from_cube(static_cast<CubeFace>(texel.face), st));
 }
 
 bool within_face(const MapTexel& texel, const MapShape& shape) {
-    return shape.form == MapForm::cube ||
-           texel_radius(texel.x, texel.y, shape.size, shape.guard) <= 1.0;
+    if (shape.form == MapForm::cube) return true;
+    const double guard = shape.form == MapForm::sphere ? 1.0 : shape.guard;
+    return texel_radius(texel.x, texel.y, shape.size, guard) <= 1.0;
 }
 
 bool is_opaque(const MapTexel& texel, const MapShape& shape) {
-    return shape.form == MapForm::cube ||
+    return shape.form != MapForm::dual_paraboloid ||
            texel_is_opaque(texel.x, texel.y, shape.size, shape.guard);
 }
 
@@ -97,7 +101,7 @@ std::optional<MapTexel> beside(const MapTexel& texel, int columns, int rows,
                                const MapShape& shape) {
     const MapTexel next{texel.face, texel.x + columns, texel.y + rows};
     if (!outside(next, shape.size)) return next;
-    if (shape.form == MapForm::dual_paraboloid) return std::nullopt;
+    if (shape.form != MapForm::cube) return std::nullopt;
     // One step past the edge the plane of the face is nearest to its neighbour's texel.
     const MapPoint point = point_of(texel_direction(next, shape), shape);
     return MapTexel{point.face, to_fixed(std::floor(point.st.x * shape.size), 0, shape.size - 1),

@@ -10,10 +10,11 @@
 #include "texunit/paraboloid.hpp"
 
 /// The two parametrisations of the model L_o(v, n) ~ t1(pi_1) t2(pi_2), and what a direction
-/// touches in a factor map. A map is two paraboloid or six cube faces of R x R texels; its texels,
-/// the unknowns, are numbered face * R^2 + y * R + x, row 0 at t = 0, the front paraboloid first
-/// and cube faces in OpenGL's order.
-/// @source seed paper, equation 5 and section 3.1; cube maps: OpenGL 1.3, table 3.20
+/// touches in a factor map. A map is two paraboloid or six cube faces of R x R texels, or one
+/// image; its texels, the unknowns, are numbered face * R^2 + y * R + x, row 0 at t = 0, the front
+/// paraboloid first and cube faces in OpenGL's order.
+/// @source seed paper, equation 5 and section 3.1; cube maps: OpenGL 1.3, table 3.20; sphere maps:
+///         2.10.4
 namespace twofold {
 
 /// The shape of a factor map.
@@ -22,7 +23,10 @@ struct MapShape {
     double guard = 0.875;  ///< g, of paraboloids
     MapForm form = MapForm::dual_paraboloid;
 
-    std::size_t faces() const { return form == MapForm::cube ? 6 : 2; }
+    std::size_t faces() const {
+        if (form == MapForm::dual_paraboloid) return 2;
+        return form == MapForm::cube ? 6 : 1;
+    }
     std::size_t texels() const { return faces() * face_texels(); }
     std::size_t face_texels() const {
         return static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
@@ -66,13 +70,15 @@ std::uint32_t texel_index(const MapTexel& texel, const MapShape& shape);
 /// The unit vector of a texel's centre.
 Vec3 texel_direction(const MapTexel& texel, const MapShape& shape);
 
-/// Whether a texel's direction belongs to its own face; a paraboloid has texels beyond its rim.
+/// Whether a texel's direction belongs to its own face; a paraboloid has texels beyond its rim, and
+/// so has a sphere map.
 bool within_face(const MapTexel& texel, const MapShape& shape);
 
-/// Whether a texel's binary alpha is 1: texel_is_opaque() of paraboloids, all of a cube's.
+/// Whether a texel's binary alpha is 1: texel_is_opaque() of two paraboloids, all of other forms,
+/// which need no test.
 bool is_opaque(const MapTexel& texel, const MapShape& shape);
 
-/// The texel a step of one column or row away, or none past the edge of a paraboloid. Past the edge
+/// The texel a step of one column or row away, or none past the edge of an image. Past the edge
 /// of a cube's face it is the one across the edge.
 std::optional<MapTexel> beside(const MapTexel& texel, int columns, int rows, const MapShape& shape);
 

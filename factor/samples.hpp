@@ -17,4 +17,10 @@ struct LightingSamples {
     std::vector<Rgb> radiance;
 };
 
+/// Samples of one material's lighting function: those of the fit and those held out of it.
+struct MaterialSamples {
+    LightingSamples fit;
+    LightingSamples held_out;
+};
+
 }  // namespace twofold

@@ -1,5 +1,8 @@
 #include "factor/settings.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace twofold {
 
 const char* name_of(Method method) {
@@ -12,6 +15,16 @@ const char* name_of(Method method) {
             return "best";
     }
     return "unknown";
+}
+
+const char* name_of(Model model) {
+    constexpr std::array names{"product", "svd", "nd", "mccool", "slf", "prefilter"};
+    return names[static_cast<std::size_t>(model)];
+}
+
+const char* name_of(MapForm form) {
+    constexpr std::array names{"dual_paraboloid", "cube", "sphere", "hemisphere", "chart"};
+    return names[static_cast<std::size_t>(form)];
 }
 
 const char* name_of(Solver solver) {

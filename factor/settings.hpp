@@ -10,8 +10,18 @@ enum class Solver { qmr, lsmr, cgls, qmr_augmented };
 /// it work.
 enum class Method { letter, paper, best };
 
-/// The images that a factor map is: two paraboloids, or the six faces of a cube map.
-enum class MapForm { dual_paraboloid, cube };
+/// What stands in for the lighting function: the paper's product (or sum of positive ones), or one
+/// of its relatives (docs/method.md, section 10).
+enum class Model { product, svd, nd, mccool, slf, prefilter };
+
+/// The norm of a row that normalised decomposition divides by: mean, root mean square, or largest.
+enum class RowNorm { one, two, max };
+
+/// The images that a factor map is: two paraboloids, the six faces of a cube map, or OpenGL's
+/// sphere map, which is tied to the eye. The last two are no choice of a scene: the one paraboloid
+/// of a direction in the frame of the surface (mccool), and a texture over a mesh's coordinates
+/// (slf).
+enum class MapForm { dual_paraboloid, cube, sphere, hemisphere, chart };
 
 /// What a map is divided by before it is stored (factor/scale.hpp).
 enum class ScaleRule { maximum, percentile, best_split };
@@ -20,6 +30,7 @@ enum class ScaleRule { maximum, percentile, best_split };
 /// Defaults are those of the method preset `paper`.
 struct FactorSettings {
     Method method = Method::paper;
+    Model model = Model::product;
     MapForm map_form = MapForm::dual_paraboloid;
     int map_size = 64;     ///< R: texels along the edge of one face
     double guard = 0.875;  ///< g: a paraboloid's disc over half the map's edge, 0 < g <= 1
@@ -40,8 +51,10 @@ struct FactorSettings {
     double fill_power = 2.0;  ///< p of the inverse-distance fill of texels that no sample touches
     int view_knots = 0;       ///< knots of the third factor g(n.v); 0 = none
     double view_smoothness = 0.1;  ///< of the second differences of the knots; 0 = off
-    int terms = 1;                 ///< J: positive products that passes add up, each its own maps
-    int refinement = 0;            ///< steps of the fit to linearly filtered texels; 0 = none
+    int terms = 1;  ///< J: products that passes add up, each its own maps; signed with svd and slf
+    int rounds = 20;  ///< of alternating least squares over all terms, with svd and slf
+    RowNorm row_norm = RowNorm::two;  ///< of nd
+    int refinement = 0;               ///< steps of the fit to linearly filtered texels; 0 = none
     double refinement_weight = 0.75;  ///< its row weights are (L_i / mean L)^this / L_i
     ScaleRule scale = ScaleRule::maximum;
     double scale_percentile = 99.9;  ///< of the rule `percentile`
@@ -50,6 +63,8 @@ struct FactorSettings {
 
 /// The names that scene files and reports use.
 const char* name_of(Method method);
+const char* name_of(Model model);
+const char* name_of(MapForm form);
 const char* name_of(Solver solver);
 
 /// The settings of a method preset, every field at its documented value.

@@ -1,6 +1,7 @@
 #pragma once
 #include "scenes/assets.hpp"
 #include "scenes/frame.hpp"
+#include "scenes/point_lit_passes.hpp"
 
 namespace twofold {
 
@@ -12,9 +13,5 @@ namespace twofold {
 /// @source McCool, Ang & Ahmad 2001, section 5; the constants of libsh's renderer
 void add_historical(Frame& frame, const HistoricalObject& object, const Mesh& mesh,
                     const FactorSet& set, const Camera& camera);
-
-/// (s, t, 0, q) of a direction in the frame of the surface on a map with the guard 7/8; below the
-/// horizon those of the horizon.
-Vec4 paraboloid_coordinates(Vec3 d);
 
 }  // namespace twofold

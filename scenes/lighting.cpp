@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "factor/closed_form.hpp"
+#include "factor/approximate.hpp"
 #include "factor/directions.hpp"
 #include "factor/lighting.hpp"
+#include "scenes/camera.hpp"
 #include "scenes/measured_file.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
@@ -97,15 +98,13 @@ std::vector<std::string> sampling_warnings(const Brdf& brdf, int map_size) {
         lobe, map_size, map_size, texel)};
 }
 
-/// The material's factors: in closed form where the settings want that and there is one.
-FactoredLighting factored(const Brdf& brdf, const LitScene& lit, const MaterialSamples& samples,
-                          const FactorSettings& settings, int threads) {
-    if (settings.shortcuts) {
-        if (auto known = closed_form(brdf, lit.lights.lights, samples.held_out, settings, lit.white,
-                                     threads))
-            return *std::move(known);
-    }
-    return factorize(samples.fit, samples.held_out, settings, lit.white, threads);
+/// The lights in the frame of the maps: that of the world, and of sphere maps the eye's. Maps of
+/// mccool are in the frame of the surface, whatever the form.
+DistantLights lights_about_maps(const Scene& scene, const DistantLights& lights) {
+    return scene.factorization.map_form == MapForm::sphere &&
+                   scene.factorization.model != Model::mccool
+               ? turned(lights, Mat3{view_matrix(scene.camera)})
+               : lights;
 }
 
 }  // namespace
@@ -146,17 +145,18 @@ LitScene light_scene(const Scene& scene, int threads, const StepListener& listen
     const FactorSettings& settings = scene.factorization;
     listen("materials");
     lit.brdfs = used_materials(scene, threads);
+    const DistantLights lights = lights_about_maps(scene, lit.lights.lights);
     std::map<std::string, MaterialSamples> samples;
     for (const auto& [name, brdf] : lit.brdfs) {
         listen("sample " + name);
-        samples[name] = {
-            sample(brdf, lit.lights.lights, settings.samples, fit_sequence, threads),
-            sample(brdf, lit.lights.lights, settings.held_out, held_out_sequence, threads)};
+        samples[name] = {sample(brdf, lights, settings.samples, fit_sequence, threads),
+                         sample(brdf, lights, settings.held_out, held_out_sequence, threads)};
     }
     lit.white = white_radiance(scene.white, samples);
     for (const auto& [name, s] : samples) {
         listen("factor " + name);
-        FactoredLighting lighting = factored(lit.brdfs.at(name), lit, s, settings, threads);
+        FactoredLighting lighting =
+            approximate(lit.brdfs.at(name), lights, s, settings, lit.white, threads);
         for (std::string& w : sampling_warnings(lit.brdfs.at(name), settings.map_size))
             lighting.warnings.push_back(std::move(w));
         lit.materials.emplace(name, std::move(lighting));

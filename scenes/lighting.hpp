@@ -28,12 +28,6 @@ struct SceneLights {
 /// @throws Error if the scene has no environment or its file cannot be used
 SceneLights make_lights(const Scene& scene);
 
-/// Samples of one material's lighting function: those of the fit and those held out of it.
-struct MaterialSamples {
-    LightingSamples fit;
-    LightingSamples held_out;
-};
-
 /// What averaging the environment cost the material: relative rms difference of L_o against one
 /// light a texel, over a few views. 0 for directional lights.
 double averaging_cost(const Scene& scene, const SceneLights& lights, const Brdf& brdf, int threads);

@@ -14,8 +14,17 @@ inline constexpr std::array solver_names{Named{"qmr", Solver::qmr}, Named{"lsmr"
                                          Named{"cgls", Solver::cgls},
                                          Named{"qmr_augmented", Solver::qmr_augmented}};
 
+inline constexpr std::array model_names{
+    Named{"product", Model::product}, Named{"svd", Model::svd},
+    Named{"nd", Model::nd},           Named{"mccool", Model::mccool},
+    Named{"slf", Model::slf},         Named{"prefilter", Model::prefilter}};
+
+inline constexpr std::array row_norm_names{Named{"one", RowNorm::one}, Named{"two", RowNorm::two},
+                                           Named{"max", RowNorm::max}};
+
 inline constexpr std::array map_form_names{Named{"dual_paraboloid", MapForm::dual_paraboloid},
-                                           Named{"cube", MapForm::cube}};
+                                           Named{"cube", MapForm::cube},
+                                           Named{"sphere", MapForm::sphere}};
 
 inline constexpr std::array scale_rule_names{Named{"maximum", ScaleRule::maximum},
                                              Named{"percentile", ScaleRule::percentile},

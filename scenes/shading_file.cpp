@@ -193,6 +193,7 @@ Brdf read_material(const JsonValue& value) {
 }
 
 const std::initializer_list<std::string_view> factorization_fields{"method",
+                                                                   "model",
                                                                    "map_form",
                                                                    "map_size",
                                                                    "guard",
@@ -214,6 +215,8 @@ const std::initializer_list<std::string_view> factorization_fields{"method",
                                                                    "view_knots",
                                                                    "view_smoothness",
                                                                    "terms",
+                                                                   "rounds",
+                                                                   "row_norm",
                                                                    "refinement",
                                                                    "refinement_weight",
                                                                    "scale",
@@ -229,6 +232,7 @@ FactorSettings read_factorization(const JsonValue& value) {
     const Range factor{.low = 0.0, .high = 1e6};
     return {
         .method = method,
+        .model = fields.enumerator("model", model_names, absent.model),
         .map_form = fields.enumerator("map_form", map_form_names, absent.map_form),
         .map_size = fields.integer("map_size", 4, 512, absent.map_size),
         .guard = fields.number("guard", positive, absent.guard),
@@ -251,6 +255,8 @@ FactorSettings read_factorization(const JsonValue& value) {
         .view_knots = read_view_knots(fields, absent.view_knots),
         .view_smoothness = fields.number("view_smoothness", factor, absent.view_smoothness),
         .terms = fields.integer("terms", 1, 4, absent.terms),
+        .rounds = fields.integer("rounds", 1, 1000, absent.rounds),
+        .row_norm = fields.enumerator("row_norm", row_norm_names, absent.row_norm),
         .refinement = fields.integer("refinement", 0, 100, absent.refinement),
         .refinement_weight =
             fields.number("refinement_weight", {.low = 0.0, .high = 2.0}, absent.refinement_weight),

@@ -57,6 +57,7 @@ Json json_of(const WhitePoint& white) {
 
 Json json_of(const FactorSettings& settings) {
     return {{"method", name_in(method_names, settings.method)},
+            {"model", name_in(model_names, settings.model)},
             {"map_form", name_in(map_form_names, settings.map_form)},
             {"map_size", settings.map_size},
             {"guard", settings.guard},
@@ -78,6 +79,8 @@ Json json_of(const FactorSettings& settings) {
             {"view_knots", settings.view_knots},
             {"view_smoothness", settings.view_smoothness},
             {"terms", settings.terms},
+            {"rounds", settings.rounds},
+            {"row_norm", name_in(row_norm_names, settings.row_norm)},
             {"refinement", settings.refinement},
             {"refinement_weight", settings.refinement_weight},
             {"scale", name_in(scale_rule_names, settings.scale)},

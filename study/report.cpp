@@ -90,6 +90,7 @@ Json fit_json(const ReportChannelFit& fit) {
             {"logRms", fit.log_rms},
             {"median", fit.median},
             {"p95", fit.p95},
+            {"psnr", fit.psnr},
             {"scale", fit.scale_c},
             {"treated", list_of(fit.treated_samples, pair_json<std::size_t>)}};
 }
@@ -97,6 +98,8 @@ Json fit_json(const ReportChannelFit& fit) {
 Json material_json(const ReportMaterial& material) {
     return {{"name", material.name},
             {"brdf", material.brdf},
+            {"model", material.model},
+            {"passes", material.passes},
             {"mapSize", material.map_size},
             {"combinerScale", material.combiner_scale},
             {"doublingPasses", material.doubling_passes},

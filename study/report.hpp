@@ -35,13 +35,15 @@ struct ReportChannelFit {
     int iterations = 0;
     double relative_residual = 0.0;
     std::vector<double> history;  ///< relative residual after each iteration
-    double relative_rms = 0.0, log_rms = 0.0, median = 0.0, p95 = 0.0;
+    double relative_rms = 0.0, log_rms = 0.0, median = 0.0, p95 = 0.0, psnr = 0.0;
     double scale_c = 0.0;
     std::vector<std::pair<std::string, std::size_t>> treated_samples;  ///< treatment and count
 };
 
 struct ReportMaterial {
     std::string name, brdf;
+    std::string model;  ///< and its number of terms
+    std::size_t passes = 0;
     int map_size = 0;  ///< texels along an edge
     int combiner_scale = 1;
     int doubling_passes = 0;

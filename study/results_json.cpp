@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenes/object_passes.hpp"
 #include "scenes/scene_file.hpp"
 #include "study/pictures.hpp"
 
@@ -31,6 +32,7 @@ Json channel_json(std::size_t channel, const FactoredLighting& lighting) {
             {"log_rms", fit.log_rms},
             {"median", fit.median},
             {"p95", fit.p95},
+            {"psnr_db", fit.psnr},
             {"samples", treated_json(fit.counts)},
             {"untouched_share", fit.untouched_share},
             {"components", fit.components},
@@ -40,11 +42,18 @@ Json channel_json(std::size_t channel, const FactoredLighting& lighting) {
             {"history", fit.solver.history}};
 }
 
+/// What the term's passes do.
+const char* operation_of(const ProductTerm& term) {
+    if (term.sum_of_maps) return "sum of maps";
+    return term.subtract ? "subtract product" : "add product";
+}
+
 Json term_json(const ProductTerm& term) {
     Json view = Json::array();
     for (const Rgb& value : term.view) view.push_back(rgb_json(value));
     return {
         {"scale", {{"color", rgb_json(term.scale_color)}, {"combiner_scale", term.combiner_scale}}},
+        {"operation", operation_of(term)},
         {"max1", rgb_json(term.max1)},
         {"max2", rgb_json(term.max2)},
         {"c", rgb_json(term.c)},
@@ -57,8 +66,9 @@ Json lighting_json(const FactoredLighting& lighting) {
     Json channels = Json::array(), terms = Json::array();
     for (std::size_t c = 0; c < 3; ++c) channels.push_back(channel_json(c, lighting));
     for (const ProductTerm& term : lighting.terms) terms.push_back(term_json(term));
-    const bool cube = lighting.terms[0].t1.shape.form == MapForm::cube;
-    return {{"map_form", cube ? "cube" : "dual_paraboloid"},
+    return {{"model", name_of(lighting.model)},
+            {"passes", pass_count(lighting)},
+            {"map_form", name_of(lighting.terms[0].t1.shape.form)},
             {"map_size", lighting.terms[0].t1.shape.size},
             {"closed_form", lighting.closed_form},
             {"doubling_passes", lighting.doubling_passes},

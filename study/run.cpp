@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "raster/renderer.hpp"
+#include "scenes/object_passes.hpp"
 #include "study/outline.hpp"
 #include "study/pictures.hpp"
 #include "texunit/presets.hpp"
@@ -47,9 +48,8 @@ void draw_exact(RunResult& run, const SceneAssets& assets, int threads) {
 
 void draw_preset(RunResult& run, const SceneAssets& assets, int threads, Preset preset) {
     const Frame frame = make_frame(run.scene, assets, run.lit.materials, preset);
-    run.pictures.push_back(
-        {std::string(name_of(preset)),
-         render(frame, preset, run.scene.custom, {run.pipeline, threads})});
+    run.pictures.push_back({std::string(name_of(preset)),
+                            render(frame, preset, run.scene.custom, {run.pipeline, threads})});
 }
 
 /// The outline pixels of each preset's picture. A scene without objects has none, nor has exact,
@@ -110,10 +110,9 @@ void note_methods(RunResult& run) {
         if (!lighting.closed_form.empty())
             run.notes.push_back(fmt::format("{}: in closed form ({}), nothing was fitted", name,
                                             lighting.closed_form));
-        if (lighting.terms.size() > 1)
-            run.notes.push_back(fmt::format(
-                "{}: {} products are added by the blender, {} each", name, lighting.terms.size(),
-                lighting.terms[0].t1.shape.form == MapForm::cube ? "a pass" : "4 passes"));
+        run.notes.push_back(fmt::format("{}: model {}, {} products, {} passes", name,
+                                        name_of(lighting.model), lighting.terms.size(),
+                                        pass_count(lighting)));
         if (!lighting.terms[0].view.empty())
             run.notes.push_back(
                 fmt::format("{}: g(n.v), {} knots, is multiplied into the vertex colours", name,

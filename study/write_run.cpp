@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "scenes/object_passes.hpp"
 #include "study/pictures.hpp"
 #include "study/report.hpp"
 #include "study/results_json.hpp"
@@ -49,6 +50,7 @@ ReportChannelFit report_fit(const FactoredLighting& lighting, std::size_t channe
             fit.log_rms,
             fit.median,
             fit.p95,
+            fit.psnr,
             lighting.terms[0].c[static_cast<int>(channel)],
             {{"used", t.used},
              {"not finite, left out", t.non_finite},
@@ -74,6 +76,8 @@ ReportMaterial report_material(const RunResult& run, const std::string& name,
     const Rgb& s = first.scale_color;
     ReportMaterial m{name,
                      brdf_name(run.scene.materials.at(name)),
+                     fmt::format("{}, {} terms", name_of(lighting.model), lighting.terms.size()),
+                     pass_count(lighting),
                      first.t1.shape.size,
                      first.combiner_scale,
                      lighting.doubling_passes,

@@ -80,11 +80,11 @@ function treated_text(channel) {
 
 function fit_table(material) {
   const head = ['Channel', 'Solver', 'Iterations', 'Residual', 'Relative RMS', 'Log RMS', 'Median',
-                '95 %', 'Scale c', 'Treated samples'];
+                '95 %', 'PSNR, dB', 'Scale c', 'Treated samples'];
   const rows = material.channels.map((fit, c) => [
     channel_names[c], fit.status, whole(fit.iterations), number(fit.residual),
     number(fit.relativeRms), number(fit.logRms), number(fit.median), number(fit.p95),
-    number(fit.scale), treated_text(fit)]);
+    number(fit.psnr), number(fit.scale), treated_text(fit)]);
   return table(`Fit of ${material.name}`, head, rows);
 }
 
@@ -93,6 +93,8 @@ function material_article(material) {
       'article', {class: 'material'}, element('h3', {}, material.name),
       element('p', {class: 'lead'}, material.brdf),
       element('dl', {class: 'facts'}, ...fact_list([
+                ['Model', material.model],
+                ['Passes', whole(material.passes)],
                 ['Combiner scale', `×${material.combinerScale}`],
                 ['Doubling passes', whole(material.doublingPasses)],
                 ['Scale colour', scale_text(material.scaleColor)]])),

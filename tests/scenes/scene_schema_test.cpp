@@ -23,12 +23,12 @@ const std::vector<std::string> every_field{R"({
   "environment": {"latlong": "e.hdr", "repair": true, "cells": 77, "scale": 1.75, "orientation":
                   {"forward": [1.5, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "white": 2.5,
-  "factorization": {"method": "letter", "map_form": "cube", "map_size": 21, "guard": 0.75, "samples": 1234, "held_out": 567,
+  "factorization": {"method": "letter", "model": "svd", "map_form": "cube", "map_size": 21, "guard": 0.75, "samples": 1234, "held_out": 567,
                     "solver": "lsmr", "tolerance": 0.125, "iteration_limit": 31,
                     "stagnation_window": 41, "keep_best": true, "remove_null_vectors": true, "floor": 0.01, "cap": 3.5,
                     "row_weight": 0.5, "smoothness": 0.625, "seam": 0.375, "column_scaling": true,
                     "fill_power": 3.25, "view_knots": 17, "view_smoothness": 0.875,
-                    "terms": 3, "refinement": 5, "refinement_weight": 0.625, "scale": "percentile",
+                    "terms": 3, "rounds": 9, "row_norm": "max", "refinement": 5, "refinement_weight": 0.625, "scale": "percentile",
                     "scale_percentile": 98.5, "shortcuts": true},
   "materials": {
     "a": {"cook_torrance": {"diffuse": [0.1, 0.2, 0.3], "specular": [0.4, 0.5, 0.6], "f0": [0.7, 0.8, 0.9],

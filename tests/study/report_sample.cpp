@@ -66,9 +66,17 @@ ReportPicture factor_map(const std::string& name, double tilt) {
 }
 
 ReportChannelFit fit(int iterations, double rate) {
-    ReportChannelFit f{
-        "converged", iterations, 0.0,   {},   0.187,
-        0.231,       0.064,      0.412, 1.73, {{"floored", 1204}, {"below horizon", 96}}};
+    ReportChannelFit f{"converged",
+                       iterations,
+                       0.0,
+                       {},
+                       0.187,
+                       0.231,
+                       0.064,
+                       0.412,
+                       31.4,
+                       1.73,
+                       {{"floored", 1204}, {"below horizon", 96}}};
     double residual = 1.0;
     for (int i = 0; i < iterations; ++i) {
         residual *= i % 5 == 3 ? 0.99 : rate;
@@ -81,6 +89,8 @@ ReportChannelFit fit(int iterations, double rate) {
 ReportMaterial copper() {
     return {"copper",
             "Cook-Torrance, Beckmann slope 0.3, index of refraction 1.5, diffuse 0.3, specular 0.7",
+            "product, 1 term",
+            4,
             32,
             2,
             0,
