@@ -11,6 +11,7 @@
 #include "factor/first_guess.hpp"
 #include "factor/refine.hpp"
 #include "factor/scale.hpp"
+#include "factor/solve_channels.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/parallel.hpp"
@@ -31,17 +32,6 @@ struct ChannelResult {
     std::vector<ChannelProduct> terms;
     ChannelFit fit;
 };
-
-Solution solve(const WeightedSystem& system, const Vector& start, const FactorSettings& settings) {
-    const StopRule rule{.tolerance = settings.tolerance,
-                        .iteration_limit = settings.iteration_limit,
-                        .window = settings.stagnation_window,
-                        .keep_best = settings.keep_best};
-    Solution solution =
-        solve(settings.solver, system.problem(), system.scaled_unknowns(start), rule);
-    solution.x = system.gauge().balanced(system.unknowns(solution.x));
-    return solution;
-}
 
 /// g from its logarithms, divided by its largest value, whose logarithm is added to `log_maximum`.
 std::vector<double> view_of(std::span<const double> logs, double& log_maximum) {
@@ -91,30 +81,75 @@ Vector refined_terms(const LeftSides& left, const ChannelRows& right,
         .x;
 }
 
-ChannelResult factor_channel(const LeftSides& left, std::span<const double> radiance,
-                             const FactorSettings& settings, double white, const char* name,
-                             int threads) {
+/// A channel before and after the solve of its logarithms. A black channel has no system, which
+/// refers to the right side beside it.
+struct Channel {
+    ChannelRows right;
+    FirstGuess guess;
+    std::optional<WeightedSystem> system;
+    Solution solution;
+};
+
+std::array<Channel, 3> prepared(const LogRows& left, std::span<const Rgb> radiance,
+                                const FactorSettings& settings, double white, int threads) {
+    std::array<Channel, 3> channels;
+    parallel_for(3, threads, [&](std::size_t c) {
+        Channel& channel = channels[c];
+        channel.right =
+            channel_rows(left, channel_of(radiance, static_cast<int>(c)), settings, white);
+        if (channel.right.black()) return;
+        channel.guess = first_guess(left, channel.right, settings.fill_power, threads);
+    });
+    return channels;
+}
+
+void solve(std::array<Channel, 3>& channels, const LogRows& left, const FactorSettings& settings,
+           int threads) {
+    parallel_for(3, threads, [&](std::size_t c) {
+        Channel& channel = channels[c];
+        if (!channel.right.black()) channel.system.emplace(left, channel.right, settings, threads);
+    });
+    const StopRule rule{.tolerance = settings.tolerance,
+                        .iteration_limit = settings.iteration_limit,
+                        .window = settings.stagnation_window,
+                        .keep_best = settings.keep_best};
+    std::vector<Channel*> lit;
+    for (Channel& channel : channels)
+        if (channel.system) lit.push_back(&channel);
+    std::vector<const WeightedSystem*> systems;
+    std::vector<Vector> start;
+    for (const Channel* channel : lit) {
+        systems.push_back(&*channel->system);
+        start.push_back(channel->system->scaled_unknowns(channel->guess.x));
+    }
+    auto solutions = solve_channels(settings.solver, systems, start, rule, threads);
+    for (std::size_t k = 0; k < lit.size(); ++k) {
+        const WeightedSystem& system = *systems[k];
+        solutions[k].x = system.gauge().balanced(system.unknowns(solutions[k].x));
+        lit[k]->solution = std::move(solutions[k]);
+    }
+}
+
+ChannelResult finished(const LeftSides& left, Channel& channel, const FactorSettings& settings,
+                       const char* name, int threads) {
     const MapShape& shape = left.log.shape;
     const auto terms = static_cast<std::size_t>(settings.terms);
-    const ChannelRows right = channel_rows(left.log, radiance, settings, white);
     ChannelResult result;
-    result.fit.counts = right.treated;
-    if (right.black()) {
+    result.fit.counts = channel.right.treated;
+    if (!channel.system) {
         result.terms.assign(terms, black_product(shape));
         return result;
     }
-    const FirstGuess guess = first_guess(left.log, right, settings.fill_power, threads);
-    const WeightedSystem system(left.log, right, settings, threads);
-    Solution solution = solve(system, guess.x, settings);
-    const std::size_t unknowns = solution.x.size();
-    const Vector x = refined_terms(left, right, settings, std::move(solution.x), threads);
+    const std::size_t unknowns = channel.solution.x.size();
+    const Vector x =
+        refined_terms(left, channel.right, settings, std::move(channel.solution.x), threads);
     for (std::size_t k = 0; k < terms; ++k)
         result.terms.push_back(
             product_of(std::span(x).subspan(k * unknowns, unknowns), shape, name));
-    result.fit.components = system.gauge().components();
-    result.fit.solver = std::move(solution.report);
+    result.fit.components = channel.system->gauge().components();
+    result.fit.solver = std::move(channel.solution.report);
     result.fit.untouched_share =
-        static_cast<double>(guess.untouched) / static_cast<double>(2 * shape.texels());
+        static_cast<double>(channel.guess.untouched) / static_cast<double>(2 * shape.texels());
     return result;
 }
 
@@ -252,13 +287,14 @@ FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
 FactoredLighting factorize(const LightingSamples& fit, const LightingSamples& held_out,
                            const FactorSettings& settings, double white, int threads) {
     check_arguments(fit, held_out, settings, white);
-    LeftSides left{log_rows(fit.at, settings), std::nullopt};
+    LeftSides left{log_rows(fit.at, settings, threads), std::nullopt};
     if (refines(settings)) left.product = product_rows(left.log);
 
+    std::array<Channel, 3> solved = prepared(left.log, fit.radiance, settings, white, threads);
+    solve(solved, left.log, settings, threads);
     std::array<ChannelResult, 3> channels;
     parallel_for(3, threads, [&](std::size_t c) {
-        channels[c] = factor_channel(left, channel_of(fit.radiance, static_cast<int>(c)), settings,
-                                     white, channel_name(c), threads);
+        channels[c] = finished(left, solved[c], settings, channel_name(c), threads);
     });
     std::vector<std::array<ChannelProduct, 3>> terms;
     for (std::size_t k = 0; k < static_cast<std::size_t>(settings.terms); ++k)

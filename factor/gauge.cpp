@@ -4,7 +4,10 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
+#include "factor/log_matrix.hpp"
+#include "factor/sparse_matrix.hpp"
 #include "texunit/ordered_sum.hpp"
 
 namespace twofold {
@@ -35,15 +38,16 @@ struct Connection {
     std::vector<bool> touched;
 };
 
-Connection connected(const SparseMatrix& rows, std::span<const double> row_weight) {
+template <class Matrix>
+Connection connected(const Matrix& rows, std::span<const double> row_weight) {
     Connection found{DisjointSets(rows.columns()), std::vector<bool>(rows.columns(), false)};
     for (std::size_t i = 0; i < rows.rows(); ++i) {
         if (!(row_weight[i] > 0.0)) continue;
-        const std::uint32_t* first = nullptr;
+        std::optional<std::uint32_t> first;
         for (const MatrixEntry& entry : rows.row(i)) {
             if (entry.value == 0.0) continue;
             found.touched[entry.column] = true;
-            if (first == nullptr) first = &entry.column;
+            if (!first) first = entry.column;
             found.sets.join(*first, entry.column);
         }
     }
@@ -93,8 +97,8 @@ SparseVector of_unit_length(SparseVector v) {
 
 }  // namespace
 
-Gauge::Gauge(const SparseMatrix& rows, std::span<const double> row_weight,
-             const FactorStarts& starts) {
+template <class Matrix>
+Gauge::Gauge(const Matrix& rows, std::span<const double> row_weight, const FactorStarts& starts) {
     Connection connection = connected(rows, row_weight);
     std::map<std::uint32_t, Part> found;
     for (std::uint32_t j = 0; j < rows.columns(); ++j) {
@@ -112,6 +116,9 @@ Gauge::Gauge(const SparseMatrix& rows, std::span<const double> row_weight,
     }
     for (auto& index : parts_[0]) std::stable_sort(index.begin(), index.end());
 }
+
+template Gauge::Gauge(const LogMatrix&, std::span<const double>, const FactorStarts&);
+template Gauge::Gauge(const SparseMatrix&, std::span<const double>, const FactorStarts&);
 
 Vector Gauge::balanced(Vector x) const {
     for (const auto& [first, second, third] : parts_) {

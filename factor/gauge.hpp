@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "factor/solver.hpp"
-#include "factor/sparse_matrix.hpp"
 
 namespace twofold {
 
@@ -28,7 +27,9 @@ struct SparseVector {
 class Gauge {
   public:
     /// @param row_weight rows of weight 0 connect nothing
-    Gauge(const SparseMatrix& rows, std::span<const double> row_weight, const FactorStarts& starts);
+    /// @tparam Matrix SparseMatrix or LogMatrix
+    template <class Matrix>
+    Gauge(const Matrix& rows, std::span<const double> row_weight, const FactorStarts& starts);
 
     /// Components that hold unknowns of two factors or more.
     std::size_t components() const { return parts_.size(); }

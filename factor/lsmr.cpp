@@ -1,8 +1,8 @@
 #include "factor/lsmr.hpp"
 
 #include <cmath>
+#include <utility>
 
-#include "factor/minimise.hpp"
 #include "factor/vector_arithmetic.hpp"
 
 namespace twofold {
@@ -20,66 +20,145 @@ Direction direction_of(const Vector& a) {
     return {length, length > 0.0 ? divided(a, length) : Vector(a.size(), 0.0)};
 }
 
-/// Golub-Kahan bidiagonalisation and the two plane rotations of LSMR; the comments give the names
-/// of the paper where they differ.
-class Recurrence {
+/// A^T u of the unit vector u.
+Vector per_length(const PassResult& result) {
+    return result.length > 0.0 ? divided(result.columns, result.length)
+                               : Vector(result.columns.size(), 0.0);
+}
+
+/// The passes that LSMR asks for, from a system's products.
+class OperatorPasses {
   public:
-    Recurrence(const RectangularOperator& a, const Vector& residual) : a_(a) {
-        const Direction u = direction_of(residual);
-        const Direction v = direction_of(a_.apply_transpose(u.unit));
-        u_ = u.unit;
-        v_ = v.unit;
-        alpha_ = alpha_bar_ = v.length;
-        zeta_bar_ = v.length * u.length;
-        h_ = v_;
-        h_bar_.assign(v_.size(), 0.0);
-        correction_ = h_bar_;
-    }
+    OperatorPasses(const RectangularOperator& a, const Vector& b) : a_(a), b_(b) {}
 
-    /// What has been added to the start.
-    const Vector& correction() const { return correction_; }
-
-    /// |A^T r|, by recurrence.
-    double residual() const { return std::fabs(zeta_bar_); }
-
-    void step() {
-        const Direction u = direction_of(plus_scaled(a_.apply(v_), -alpha_, u_));
-        const Direction v = direction_of(plus_scaled(a_.apply_transpose(u.unit), -u.length, v_));
-        u_ = u.unit;
-        v_ = v.unit;
-        alpha_ = v.length;
-
-        const double rho_before = rho_;
-        rho_ = std::sqrt(alpha_bar_ * alpha_bar_ + u.length * u.length);
-        const double theta_next = u.length / rho_ * alpha_;
-        alpha_bar_ = alpha_bar_ / rho_ * alpha_;
-
-        const double rho_bar_before = rho_bar_;
-        const double theta_bar = s_bar_ * rho_;
-        const double turned = c_bar_ * rho_;
-        rho_bar_ = std::sqrt(turned * turned + theta_next * theta_next);
-        c_bar_ = turned / rho_bar_;
-        s_bar_ = theta_next / rho_bar_;
-        const double zeta = c_bar_ * zeta_bar_;
-        zeta_bar_ = -s_bar_ * zeta_bar_;
-
-        h_bar_ = plus_scaled(h_, -(theta_bar * rho_ / (rho_before * rho_bar_before)), h_bar_);
-        correction_ = plus_scaled(correction_, zeta / (rho_ * rho_bar_), h_bar_);
-        h_ = plus_scaled(v_, -(theta_next / rho_), h_);
+    PassResult make(const RowPass& pass) {
+        if (pass.kind == PassKind::right_side) return {a_.apply_transpose(b_)};
+        const Vector product = a_.apply(pass.x);
+        if (pass.kind == PassKind::gradient) return {a_.apply_transpose(minus(b_, product))};
+        u_ = pass.kind == PassKind::start ? minus(b_, product)
+                                          : plus_scaled(product, -pass.keep, u_);
+        return {a_.apply_transpose(u_), norm(u_)};
     }
 
   private:
     const RectangularOperator& a_;
-    Vector u_, v_, h_, h_bar_, correction_;
-    double alpha_ = 0.0, alpha_bar_ = 0.0, zeta_bar_ = 0.0;
-    double rho_ = 1.0, rho_bar_ = 1.0, c_bar_ = 1.0, s_bar_ = 0.0;
+    const Vector& b_;
+    Vector u_;
 };
 
 }  // namespace
 
+LsmrRun::LsmrRun(Vector start, const StopRule& rule) : start_(std::move(start)), rule_(rule) {}
+
+std::optional<RowPass> LsmrRun::request() const {
+    switch (stage_) {
+        case Stage::right_side:
+            return RowPass{PassKind::right_side};
+        case Stage::start:
+            return RowPass{PassKind::start, start_};
+        case Stage::steps:
+            return RowPass{PassKind::step, v_, u_length_ > 0.0 ? alpha_ / u_length_ : 0.0};
+        case Stage::end:
+            return RowPass{PassKind::gradient, plus_scaled(start_, 1.0, best_)};
+        case Stage::done:
+            break;
+    }
+    return std::nullopt;
+}
+
+void LsmrRun::take(PassResult result) {
+    if (stage_ == Stage::right_side) {
+        scale_ = norm(result.columns);
+        stage_ = scale_ == 0.0 ? Stage::done : Stage::start;
+        if (stage_ == Stage::done) solution_ = {Vector(start_.size(), 0.0), {.history = {0.0}}};
+    } else if (stage_ == Stage::start) {
+        begin(result);
+    } else if (stage_ == Stage::steps) {
+        step(result);
+    } else {
+        finish(norm(result.columns) / scale_);
+    }
+}
+
+void LsmrRun::begin(const PassResult& residual) {
+    start_residual_ = norm(residual.columns) / scale_;
+    progress_.emplace(rule_, start_residual_);
+    const bool finite = std::isfinite(start_residual_);
+    if (!finite || progress_->start_meets_tolerance()) {
+        const auto status = finite ? SolverStatus::converged : SolverStatus::non_finite;
+        solution_ = {start_, progress_->report(status, 0, start_residual_)};
+        stage_ = Stage::done;
+        return;
+    }
+    const Direction v = direction_of(per_length(residual));
+    u_length_ = residual.length;
+    v_ = h_ = v.unit;
+    alpha_ = alpha_bar_ = v.length;
+    zeta_bar_ = v.length * u_length_;
+    h_bar_.assign(v_.size(), 0.0);
+    best_ = correction_ = h_bar_;
+    stage_ = Stage::steps;
+}
+
+void LsmrRun::step(const PassResult& result) {
+    u_length_ = result.length;
+    const Direction v = direction_of(plus_scaled(per_length(result), -u_length_, v_));
+    v_ = v.unit;
+    alpha_ = v.length;
+    advance_solution(u_length_);
+    end_ = progress_->record(std::fabs(zeta_bar_) / scale_);
+    if (progress_->is_best()) best_ = correction_;
+    if (end_) stage_ = Stage::end;
+}
+
+void LsmrRun::advance_solution(double u_length) {
+    const double rho_before = rho_;
+    rho_ = std::sqrt(alpha_bar_ * alpha_bar_ + u_length * u_length);
+    const double theta_next = u_length / rho_ * alpha_;
+    alpha_bar_ = alpha_bar_ / rho_ * alpha_;
+
+    const double rho_bar_before = rho_bar_;
+    const double theta_bar = s_bar_ * rho_;
+    const double turned = c_bar_ * rho_;
+    rho_bar_ = std::sqrt(turned * turned + theta_next * theta_next);
+    c_bar_ = turned / rho_bar_;
+    s_bar_ = theta_next / rho_bar_;
+    const double zeta = c_bar_ * zeta_bar_;
+    zeta_bar_ = -s_bar_ * zeta_bar_;
+
+    h_bar_ = plus_scaled(h_, -(theta_bar * rho_ / (rho_before * rho_bar_before)), h_bar_);
+    correction_ = plus_scaled(correction_, zeta / (rho_ * rho_bar_), h_bar_);
+    h_ = plus_scaled(v_, -(theta_next / rho_), h_);
+}
+
+void LsmrRun::finish(double true_residual) {
+    stage_ = Stage::done;
+    if (progress_->prefers(true_residual, start_residual_)) {
+        solution_ = {plus_scaled(start_, 1.0, best_),
+                     progress_->report(*end_, progress_->iterations(), true_residual)};
+        return;
+    }
+    solution_ = {start_, progress_->report(*end_, progress_->iterations(), start_residual_)};
+    solution_.report.best_iteration = 0;
+}
+
+Solution LsmrRun::solution() { return std::move(solution_); }
+
 Solution solve_lsmr(const RectangularOperator& a, const Vector& b, const Vector& start,
                     const StopRule& rule) {
-    return minimise<Recurrence>(a, b, start, rule);
+    if (!all_finite(b) || !all_finite(start)) {
+        return {all_finite(start) ? start : Vector(start.size(), 0.0),
+                {.status = SolverStatus::non_finite}};
+    }
+    // Units in which b is of order 1 keep the squares of the norms in range.
+    const int exponent = binary_exponent(largest_magnitude(b));
+    const Vector scaled_b = times_power_of_two(b, -exponent);
+    OperatorPasses passes(a, scaled_b);
+    LsmrRun run(times_power_of_two(start, -exponent), rule);
+    while (const auto pass = run.request()) run.take(passes.make(*pass));
+    Solution solution = run.solution();
+    solution.x = times_power_of_two(solution.x, exponent);
+    return solution;
 }
 
 }  // namespace twofold

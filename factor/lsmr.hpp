@@ -1,4 +1,6 @@
 #pragma once
+#include "factor/progress.hpp"
+#include "factor/row_pass.hpp"
 #include "factor/solver.hpp"
 
 namespace twofold {
@@ -13,5 +15,40 @@ namespace twofold {
 /// @source Fong & Saunders, LSMR: An Iterative Algorithm for Sparse Least-Squares Problems, 2011
 Solution solve_lsmr(const RectangularOperator& a, const Vector& b, const Vector& start,
                     const StopRule& rule);
+
+/// The same as a run that asks for its passes over the rows, one at a time.
+class LsmrRun {
+  public:
+    LsmrRun(Vector start, const StopRule& rule);
+
+    std::optional<RowPass> request() const;
+    void take(PassResult result);
+    Solution solution();
+
+  private:
+    enum class Stage { right_side, start, steps, end, done };
+
+    void begin(const PassResult& residual);
+    void step(const PassResult& result);
+    void finish(double true_residual);
+    void advance_solution(double u_length);
+
+    Stage stage_ = Stage::right_side;
+    Vector start_;
+    StopRule rule_;
+    std::optional<Progress> progress_;
+    std::optional<SolverStatus> end_;
+    double scale_ = 0.0;           ///< |A^T b|
+    double start_residual_ = 0.0;  ///< relative
+    Vector best_;                  ///< what is added to the start
+    Solution solution_;
+
+    // Golub-Kahan bidiagonalisation and the two plane rotations of LSMR, names as in the paper. The
+    // system's u is not normalised; u_length_ is its length.
+    Vector v_, h_, h_bar_, correction_;
+    double u_length_ = 0.0;
+    double alpha_ = 0.0, alpha_bar_ = 0.0, zeta_bar_ = 0.0;
+    double rho_ = 1.0, rho_bar_ = 1.0, c_bar_ = 1.0, s_bar_ = 0.0;
+};
 
 }  // namespace twofold

@@ -1,160 +1,11 @@
 #include "factor/qmr.hpp"
 
 #include <cmath>
+#include <utility>
 
-#include "factor/progress.hpp"
 #include "factor/vector_arithmetic.hpp"
 
 namespace twofold {
-
-namespace {
-
-/// A x = b in units in which the largest entries of A and b are of order 1. Halves of A's exponent
-/// are taken off before and after the product, so that no entry near the limits overflows on the
-/// way.
-class ScaledSystem {
-  public:
-    ScaledSystem(const SquareOperator& a, const Vector& b)
-        : a_(a),
-          matrix_exponent_(binary_exponent(a.magnitude)),
-          solution_exponent_(binary_exponent(largest_magnitude(b)) - matrix_exponent_),
-          b_(times_power_of_two(b, -binary_exponent(largest_magnitude(b)))) {}
-
-    const Vector& b() const { return b_; }
-    bool symmetric() const { return a_.symmetric; }
-    Vector apply(const Vector& x) const { return scaled_product(a_.apply, x); }
-    Vector apply_transpose(const Vector& x) const { return scaled_product(a_.apply_transpose, x); }
-    Vector residual(const Vector& x) const { return minus(b_, apply(x)); }
-    Vector to_scaled(const Vector& x) const { return times_power_of_two(x, -solution_exponent_); }
-    Vector from_scaled(const Vector& x) const { return times_power_of_two(x, solution_exponent_); }
-
-  private:
-    Vector scaled_product(const std::function<Vector(const Vector&)>& product,
-                          const Vector& x) const {
-        if (matrix_exponent_ == 0) return product(x);
-        const int before = matrix_exponent_ / 2;
-        return times_power_of_two(product(times_power_of_two(x, -before)),
-                                  before - matrix_exponent_);
-    }
-
-    const SquareOperator& a_;
-    int matrix_exponent_;
-    int solution_exponent_;
-    Vector b_;
-};
-
-/// The coupled two-term recurrences; names as in Templates, figure 2.8, with V and W the unscaled
-/// Lanczos vectors.
-class Recurrence {
-  public:
-    Recurrence(const ScaledSystem& system, Vector start, Vector residual, double threshold)
-        : system_(system),
-          threshold_(threshold),
-          x_(std::move(start)),
-          r_(std::move(residual)),
-          lanczos_v_(r_),
-          lanczos_w_(r_),
-          d_(r_.size(), 0.0),
-          s_(r_.size(), 0.0) {
-        scalars_.rho = scalars_.xi = scalars_.rho_start = norm(r_);
-    }
-
-    const Vector& x() const { return x_; }
-    const Vector& residual() const { return r_; }
-
-    /// One iteration: moves x and the residual, unless a scalar vanishes on the way.
-    std::optional<SolverStatus> step() {
-        QmrScalars& s = scalars_;
-        // What is computed later in the iteration has passed the test of the one before.
-        s.delta = s.epsilon = s.epsilon_scale = 1.0;
-        if (const auto end = breakdown_of(s, threshold_)) return end;
-
-        const Vector v = divided(lanczos_v_, s.rho);
-        const Vector w = divided(lanczos_w_, s.xi);
-        s.delta = dot(w, v);
-        if (const auto end = breakdown_of(s, threshold_)) return end;
-
-        p_ = first_ ? v : plus_scaled(v, -(s.xi * s.delta / epsilon_before_), p_);
-        q_ = first_ ? w : plus_scaled(w, -(s.rho * s.delta / epsilon_before_), q_);
-        const Vector ap = system_.apply(p_);
-        s.epsilon = dot(q_, ap);
-        s.epsilon_scale = norm(q_) * norm(ap);
-        s.beta = s.epsilon / s.delta;
-        if (const auto end = breakdown_of(s, threshold_)) return end;
-
-        const double rho_before = s.rho;
-        advance_lanczos(v, w, ap);
-        return advance_solution(ap, rho_before);
-    }
-
-  private:
-    /// V = A p - beta v, W = A^T q - beta w. For a symmetric A the two bases coincide bit for bit.
-    void advance_lanczos(const Vector& v, const Vector& w, const Vector& ap) {
-        lanczos_v_ = plus_scaled(ap, -scalars_.beta, v);
-        lanczos_w_ = system_.symmetric()
-                         ? lanczos_v_
-                         : plus_scaled(system_.apply_transpose(q_), -scalars_.beta, w);
-        scalars_.rho = norm(lanczos_v_);
-        scalars_.xi = norm(lanczos_w_);
-        epsilon_before_ = scalars_.epsilon;
-        first_ = false;
-    }
-
-    std::optional<SolverStatus> advance_solution(const Vector& ap, double rho_before) {
-        QmrScalars& s = scalars_;
-        const double gamma_before = s.gamma;
-        const double theta_before = theta_;
-        theta_ = s.rho / (gamma_before * std::fabs(s.beta));
-        s.gamma = 1.0 / std::sqrt(1.0 + theta_ * theta_);
-        if (!(s.gamma > 0.0)) return SolverStatus::breakdown_gamma;
-
-        eta_ = -eta_ * rho_before * s.gamma * s.gamma / (s.beta * gamma_before * gamma_before);
-        const double memory = theta_before * s.gamma * (theta_before * s.gamma);
-        d_ = plus_scaled(scaled(eta_, p_), memory, d_);
-        s_ = plus_scaled(scaled(eta_, ap), memory, s_);
-        x_ = plus_scaled(x_, 1.0, d_);
-        r_ = plus_scaled(r_, -1.0, s_);
-        return std::nullopt;
-    }
-
-    const ScaledSystem& system_;
-    double threshold_;
-    Vector x_, r_;
-    Vector lanczos_v_, lanczos_w_;
-    Vector p_, q_;
-    Vector d_, s_;  ///< steps of x and of the residual
-    QmrScalars scalars_;
-    double epsilon_before_ = 1.0;
-    double theta_ = 0.0;
-    double eta_ = -1.0;
-    bool first_ = true;
-};
-
-Solution refused(const Vector& start) {
-    Vector x = all_finite(start) ? start : Vector(start.size(), 0.0);
-    return {std::move(x), {.status = SolverStatus::non_finite}};
-}
-
-/// The report and x of an iteration that ended: the best iterate, or the start where the recomputed
-/// residual says that the start was better.
-Solution finish(const ScaledSystem& system, const Vector& start, const Vector& best,
-                const Progress& progress, SolverStatus status, int iteration) {
-    const double b_norm = norm(system.b());
-    const double start_residual = norm(system.residual(system.to_scaled(start))) / b_norm;
-    const double true_residual = norm(system.residual(best)) / b_norm;
-    Vector x = system.from_scaled(best);
-    if (!all_finite(x)) {
-        return {start, progress.report(SolverStatus::non_finite, iteration, start_residual)};
-    }
-    if (!progress.prefers(true_residual, start_residual)) {
-        Solution kept{start, progress.report(status, iteration, start_residual)};
-        kept.report.best_iteration = 0;
-        return kept;
-    }
-    return {std::move(x), progress.report(status, iteration, true_residual)};
-}
-
-}  // namespace
 
 std::optional<SolverStatus> breakdown_of(const QmrScalars& s, double t) {
     if (!std::isfinite(s.rho) || !std::isfinite(s.xi)) return SolverStatus::non_finite;
@@ -169,29 +20,195 @@ std::optional<SolverStatus> breakdown_of(const QmrScalars& s, double t) {
     return std::nullopt;
 }
 
+QmrRun::QmrRun(double magnitude, bool symmetric, const Vector& b, const Vector& start,
+               const StopRule& rule)
+    : matrix_exponent_(binary_exponent(magnitude)),
+      solution_exponent_(binary_exponent(largest_magnitude(b)) - matrix_exponent_),
+      symmetric_(symmetric),
+      start_(start),
+      b_(times_power_of_two(b, -binary_exponent(largest_magnitude(b)))),
+      b_norm_(norm(b_)),
+      rule_(rule) {
+    if (!all_finite(b) || !all_finite(start) || !std::isfinite(magnitude)) {
+        solution_ = {all_finite(start) ? start : Vector(start.size(), 0.0),
+                     {.status = SolverStatus::non_finite}};
+        stage_ = Stage::done;
+    } else if (largest_magnitude(b) == 0.0) {
+        solution_ = {Vector(b.size(), 0.0), {.history = {0.0}}};
+        stage_ = Stage::done;
+    }
+    x_ = times_power_of_two(start, -solution_exponent_);
+}
+
+Vector QmrRun::argument() const {
+    const Vector& x = stage_ == Stage::product     ? p_
+                      : stage_ == Stage::transpose ? q_
+                      : stage_ == Stage::end       ? best_
+                                                   : x_;
+    return matrix_exponent_ == 0 ? x : times_power_of_two(x, -(matrix_exponent_ / 2));
+}
+
+Vector QmrRun::scaled_back(const Vector& product) const {
+    return matrix_exponent_ == 0
+               ? product
+               : times_power_of_two(product, matrix_exponent_ / 2 - matrix_exponent_);
+}
+
+void QmrRun::take(const Vector& product) {
+    switch (stage_) {
+        case Stage::start:
+            return begin(minus(b_, scaled_back(product)));
+        case Stage::product:
+            return take_product(scaled_back(product));
+        case Stage::transpose:
+            return advance_lanczos(scaled_back(product));
+        case Stage::end:
+            return finish(norm(minus(b_, scaled_back(product))) / b_norm_);
+        case Stage::done:
+            return;
+    }
+}
+
+void QmrRun::begin(Vector residual) {
+    r_ = std::move(residual);
+    lanczos_v_ = lanczos_w_ = r_;
+    d_.assign(r_.size(), 0.0);
+    s_ = d_;
+    scalars_.rho = scalars_.xi = scalars_.rho_start = norm(r_);
+    start_residual_ = scalars_.rho / b_norm_;
+    progress_.emplace(rule_, start_residual_);
+    best_ = x_;
+    if (progress_->start_meets_tolerance()) return end_with(SolverStatus::converged);
+    begin_iteration();
+}
+
+void QmrRun::begin_iteration() {
+    iteration_ = progress_->iterations() + 1;
+    QmrScalars& s = scalars_;
+    // What is computed later in the iteration has passed the test of the one before.
+    s.delta = s.epsilon = s.epsilon_scale = 1.0;
+    if (const auto end = breakdown_of(s, rule_.breakdown)) return end_with(*end);
+
+    v_ = divided(lanczos_v_, s.rho);
+    if (!symmetric_) w_ = divided(lanczos_w_, s.xi);
+    s.delta = dot(w(), v_);
+    if (const auto end = breakdown_of(s, rule_.breakdown)) return end_with(*end);
+
+    p_ = first_ ? v_ : plus_scaled(v_, -(s.xi * s.delta / epsilon_before_), p_);
+    if (!symmetric_) q_ = first_ ? w_ : plus_scaled(w_, -(s.rho * s.delta / epsilon_before_), q_);
+    stage_ = Stage::product;
+}
+
+void QmrRun::take_product(const Vector& ap) {
+    QmrScalars& s = scalars_;
+    ap_ = ap;
+    s.epsilon = dot(q(), ap_);
+    s.epsilon_scale = norm(q()) * norm(ap_);
+    s.beta = s.epsilon / s.delta;
+    if (const auto end = breakdown_of(s, rule_.breakdown)) return end_with(*end);
+    stage_ = Stage::transpose;
+    // For a symmetric A the two Lanczos bases coincide bit for bit.
+    if (symmetric_) advance_lanczos(ap_);
+}
+
+/// V = A p - beta v, W = A^T q - beta w.
+void QmrRun::advance_lanczos(const Vector& transposed_product) {
+    QmrScalars& s = scalars_;
+    rho_before_ = s.rho;
+    lanczos_v_ = plus_scaled(ap_, -s.beta, v_);
+    if (!symmetric_) lanczos_w_ = plus_scaled(transposed_product, -s.beta, w_);
+    s.rho = norm(lanczos_v_);
+    s.xi = symmetric_ ? s.rho : norm(lanczos_w_);
+    epsilon_before_ = s.epsilon;
+    first_ = false;
+    if (const auto end = advance_solution()) return end_with(*end);
+    const auto end = progress_->record(norm(r_) / b_norm_);
+    if (progress_->is_best()) best_ = x_;
+    if (end) return end_with(*end);
+    begin_iteration();
+}
+
+std::optional<SolverStatus> QmrRun::advance_solution() {
+    QmrScalars& s = scalars_;
+    const double gamma_before = s.gamma;
+    const double theta_before = theta_;
+    theta_ = s.rho / (gamma_before * std::fabs(s.beta));
+    s.gamma = 1.0 / std::sqrt(1.0 + theta_ * theta_);
+    if (!(s.gamma > 0.0)) return SolverStatus::breakdown_gamma;
+
+    eta_ = -eta_ * rho_before_ * s.gamma * s.gamma / (s.beta * gamma_before * gamma_before);
+    const double memory = theta_before * s.gamma * (theta_before * s.gamma);
+    d_ = plus_scaled(scaled(eta_, p_), memory, d_);
+    s_ = plus_scaled(scaled(eta_, ap_), memory, s_);
+    x_ = plus_scaled(x_, 1.0, d_);
+    r_ = plus_scaled(r_, -1.0, s_);
+    return std::nullopt;
+}
+
+void QmrRun::end_with(SolverStatus status) {
+    status_ = status;
+    stage_ = Stage::end;
+}
+
+/// The best iterate, or the start where the recomputed residual says that the start was better.
+void QmrRun::finish(double true_residual) {
+    stage_ = Stage::done;
+    Vector x = times_power_of_two(best_, solution_exponent_);
+    if (!all_finite(x)) {
+        solution_ = {start_,
+                     progress_->report(SolverStatus::non_finite, iteration_, start_residual_)};
+    } else if (!progress_->prefers(true_residual, start_residual_)) {
+        solution_ = {start_, progress_->report(status_, iteration_, start_residual_)};
+        solution_.report.best_iteration = 0;
+    } else {
+        solution_ = {std::move(x), progress_->report(status_, iteration_, true_residual)};
+    }
+}
+
+Solution QmrRun::solution() { return std::move(solution_); }
+
 Solution solve_qmr(const SquareOperator& a, const Vector& b, const Vector& start,
                    const StopRule& rule) {
-    if (!all_finite(b) || !all_finite(start) || !std::isfinite(a.magnitude)) return refused(start);
-    if (largest_magnitude(b) == 0.0) return {Vector(b.size(), 0.0), {.history = {0.0}}};
+    QmrRun run(a.magnitude, a.symmetric, b, start, rule);
+    while (!run.ended()) run.take((run.transposed() ? a.apply_transpose : a.apply)(run.argument()));
+    return run.solution();
+}
 
-    const ScaledSystem system(a, b);
-    const Vector scaled_start = system.to_scaled(start);
-    const double b_norm = norm(system.b());
-    Recurrence recurrence(system, scaled_start, system.residual(scaled_start), rule.breakdown);
-    Progress progress(rule, norm(recurrence.residual()) / b_norm);
-    if (progress.start_meets_tolerance()) {
-        return finish(system, start, scaled_start, progress, SolverStatus::converged, 0);
+namespace {
+
+/// QMR on A^T A x = A^T b, in passes over the rows of A.
+class NormalRun {
+  public:
+    NormalRun(const Vector& start, double magnitude, const StopRule& rule)
+        : start_(start), magnitude_(magnitude), rule_(rule) {}
+
+    std::optional<RowPass> request() const {
+        if (!run_) return RowPass{PassKind::right_side};
+        if (run_->ended()) return std::nullopt;
+        return RowPass{PassKind::normal, run_->argument()};
     }
-    Vector best = scaled_start;
-    for (;;) {
-        const int iteration = progress.iterations() + 1;
-        if (const auto end = recurrence.step()) {
-            return finish(system, start, best, progress, *end, iteration);
-        }
-        const auto end = progress.record(norm(recurrence.residual()) / b_norm);
-        if (progress.is_best()) best = recurrence.x();
-        if (end) return finish(system, start, best, progress, *end, iteration);
+    void take(PassResult result) {
+        if (run_)
+            run_->take(result.columns);
+        else
+            run_.emplace(magnitude_, true, result.columns, start_, rule_);
     }
+    Solution solution() { return run_->solution(); }
+
+  private:
+    Vector start_;
+    double magnitude_;
+    StopRule rule_;
+    std::optional<QmrRun> run_;
+};
+
+}  // namespace
+
+std::vector<Solution> solve_qmr_together(const RowPasses& make, const std::vector<Vector>& start,
+                                         const Vector& magnitude, const StopRule& rule) {
+    std::vector<NormalRun> runs;
+    for (std::size_t k = 0; k < start.size(); ++k) runs.emplace_back(start[k], magnitude[k], rule);
+    return in_lockstep(std::move(runs), make);
 }
 
 }  // namespace twofold

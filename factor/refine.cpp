@@ -209,7 +209,10 @@ ProductRows product_rows(const LogRows& rows) {
         }
     }
     RowBuilder rest;
-    for (std::size_t i = rows.samples; i < rows.matrix.rows(); ++i) rest.add(rows.matrix.row(i));
+    for (std::size_t i = rows.samples; i < rows.matrix.rows(); ++i) {
+        const RowEntries row = rows.matrix.row(i);
+        rest.add({row.begin(), row.end()});
+    }
     ProductRows result{{}, rest.build(rows.matrix.columns()), rows.shape};
     for (std::size_t f = 0; f < builders.size(); ++f)
         result.factors.push_back(builders[f].build(starts[f + 1] - starts[f]));

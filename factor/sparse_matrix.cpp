@@ -57,6 +57,11 @@ std::span<const MatrixEntry> SparseMatrix::row(std::size_t i) const {
     return std::span(entries_).subspan(row_start_[i], row_start_[i + 1] - row_start_[i]);
 }
 
+std::span<const MatrixEntry> SparseMatrix::column(std::size_t j) const {
+    return std::span(transposed_)
+        .subspan(column_start_[j], column_start_[j + 1] - column_start_[j]);
+}
+
 std::vector<double> SparseMatrix::multiply(std::span<const double> x, int threads) const {
     return fill_blocks(rows(), threads, [&](std::size_t i) {
         double sum = 0.0;
@@ -68,9 +73,9 @@ std::vector<double> SparseMatrix::multiply(std::span<const double> x, int thread
 template <class Term>
 std::vector<double> SparseMatrix::sum_columns(const Term& term, int threads) const {
     return fill_blocks(columns(), threads, [&](std::size_t j) {
-        const MatrixEntry* column = transposed_.data() + column_start_[j];
-        const std::size_t count = column_start_[j + 1] - column_start_[j];
-        const auto of_column = [&](std::size_t k) { return term(column[k]); };
+        const auto entries = column(j);
+        const std::size_t count = entries.size();
+        const auto of_column = [&](std::size_t k) { return term(entries[k]); };
         // A column of one block needs no tree; the bits are those of ordered_sum either way.
         return count <= sum_block ? ordered_block_sum(0, count, of_column)
                                   : ordered_sum(count, of_column);

@@ -29,6 +29,9 @@ class SparseMatrix {
     /// The entries of a row, in the order they were added.
     std::span<const MatrixEntry> row(std::size_t i) const;
 
+    /// The entries of a column, rows ascending; `column` of an entry holds the row.
+    std::span<const MatrixEntry> column(std::size_t j) const;
+
     /// A x, each row summed left to right. @param x `columns` values
     std::vector<double> multiply(std::span<const double> x, int threads) const;
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "factor/vector_arithmetic.hpp"
-#include "factor/view_table.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/fixed.hpp"
@@ -22,24 +21,6 @@ void put_footprint(std::span<MatrixEntry> row, const TexelFootprint& footprint,
     for (std::size_t k = 0; k < 4; ++k) {
         row[k] = {static_cast<std::uint32_t>(first_column) + footprint.index[k],
                   scale * footprint.weight[k]};
-    }
-}
-
-void add_sample_rows(RowBuilder& builder, std::span<const SurfaceView> at, const MapShape& shape,
-                     int view_knots) {
-    const std::size_t entries = view_knots > 0 ? 10 : 8;
-    for (const SurfaceView& pair : at) {
-        std::array<MatrixEntry, 10> row;
-        put_footprint(std::span(row).first(4), footprint_of(pi_1(pair), shape), 0, 1.0);
-        put_footprint(std::span(row).subspan(4, 4), footprint_of(pi_2(pair), shape), shape.texels(),
-                      1.0);
-        if (view_knots > 0) {
-            const ViewFootprint view = view_footprint(dot(pair.n, pair.v), view_knots);
-            const auto first = static_cast<std::uint32_t>(2 * shape.texels());
-            for (std::size_t k = 0; k < 2; ++k)
-                row[8 + k] = {first + view.index[k], view.weight[k]};
-        }
-        builder.add(std::span(row).first(entries));
     }
 }
 
@@ -136,7 +117,7 @@ std::size_t count_finite(std::span<const double> radiance) {
 
 }  // namespace
 
-LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings) {
+LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings, int threads) {
     const MapShape shape = shape_of(settings);
     const auto texels = static_cast<double>(shape.texels());
     const double scale = settings.smoothness * std::sqrt(static_cast<double>(at.size()) / texels);
@@ -145,7 +126,6 @@ LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings
     const double seam_base =
         settings.smoothness > 0.0 ? scale : std::sqrt(static_cast<double>(at.size()) / texels);
     RowBuilder builder;
-    add_sample_rows(builder, at, shape, settings.view_knots);
     add_rows_of_both_maps(shape, scale, [&](std::size_t j, std::size_t first, double k) {
         add_smoothness_row(builder, j, shape, first, k);
     });
@@ -157,7 +137,9 @@ LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings
     add_view_rows(builder, 2 * shape.texels(), settings.view_knots,
                   settings.view_smoothness *
                       std::sqrt(static_cast<double>(at.size()) / static_cast<double>(knots + 1)));
-    return {builder.build(2 * shape.texels() + knots), at.size(), shape, settings.view_knots};
+    return {LogMatrix(sample_rows(at, shape, settings.view_knots, threads), shape,
+                      builder.build(2 * shape.texels() + knots)),
+            at.size(), shape, settings.view_knots};
 }
 
 FactorStarts LogRows::starts() const {
@@ -214,7 +196,11 @@ Vector WeightedSystem::apply(const Vector& y) const {
 Vector WeightedSystem::apply_transpose(const Vector& r) const {
     Vector weighted(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) weighted[i] = right_.weight[i] * r[i];
-    return without(unknowns(left_.matrix.multiply_transpose(weighted, threads_)), null_vectors_);
+    return scaled_product(left_.matrix.multiply_transpose(weighted, threads_));
+}
+
+Vector WeightedSystem::scaled_product(const Vector& columns) const {
+    return without(unknowns(columns), null_vectors_);
 }
 
 Vector WeightedSystem::right_side() const {

@@ -3,11 +3,11 @@
 #include <span>
 
 #include "factor/gauge.hpp"
+#include "factor/log_matrix.hpp"
 #include "factor/parametrization.hpp"
 #include "factor/samples.hpp"
 #include "factor/settings.hpp"
 #include "factor/solve.hpp"
-#include "factor/sparse_matrix.hpp"
 
 /// The linear system of the logarithms, [A1 A2] (log t1; log t2) = log L. The unknowns are the
 /// texels of map 1, those of map 2, then the knots of g(n.v) where there is one. The left side
@@ -19,7 +19,7 @@ namespace twofold {
 /// The left side. Rows: one a sample (four weights at pi_1, four at pi_2, two at n.v if there are
 /// knots), then the smoothness rows of both maps, their seam rows and those of the knots.
 struct LogRows {
-    SparseMatrix matrix;
+    LogMatrix matrix;
     std::size_t samples;  ///< S, the number of sample rows
     MapShape shape;
     int view_knots = 0;  ///< of g(n.v)
@@ -32,7 +32,7 @@ struct LogRows {
 /// the rim says that it equals the other face's filtered value in its direction. Second differences
 /// of g's knots are 0 with view_smoothness sqrt(S / knots).
 /// @param settings map_size, guard, smoothness, seam, view_knots and view_smoothness are used
-LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings);
+LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings, int threads = 1);
 
 /// What became of a channel's samples; each sample is counted once, under the first that applies.
 struct TreatedSamples {
@@ -77,7 +77,13 @@ class WeightedSystem {
     Vector scaled_unknowns(const Vector& x) const;  ///< D x
     Vector unknowns(const Vector& y) const;         ///< D^-1 y
 
+    /// D^-1 A^T w of the columns' sums A^T w, without what the null vectors collected.
+    Vector scaled_product(const Vector& columns) const;
+
+    const LogRows& left() const { return left_; }
+    const ChannelRows& right() const { return right_; }
     const Gauge& gauge() const { return gauge_; }
+    double magnitude() const { return magnitude_; }  ///< largest diagonal entry of B^T B
 
     LeastSquaresProblem problem() const;  ///< min |B y - diag(weight) b|
 
@@ -88,7 +94,7 @@ class WeightedSystem {
     Gauge gauge_;
     Vector column_scale_;                     ///< D
     std::vector<SparseVector> null_vectors_;  ///< what is projected out
-    double magnitude_;                        ///< largest diagonal entry of B^T B
+    double magnitude_;
 };
 
 }  // namespace twofold

@@ -39,13 +39,18 @@ TEST_CASE("a sample row holds the weights of the normal, then those of the refle
     for (std::size_t i = 0; i < rows.samples; ++i) {
         const TexelFootprint n = footprint_of(at[i].n, rows.shape);
         const TexelFootprint r = footprint_of(pi_2(at[i]), rows.shape);
-        REQUIRE(rows.matrix.row(i).size() == 8);
+        const RowEntries row = rows.matrix.row(i);
+        REQUIRE(row.size() == 8);
+        // Either fraction is rounded to 2^-16.
         for (std::size_t k = 0; k < 4; ++k) {
-            CHECK(rows.matrix.row(i)[k].column == n.index[k]);
-            CHECK(rows.matrix.row(i)[k].value == n.weight[k]);
-            CHECK(rows.matrix.row(i)[4 + k].column == rows.shape.texels() + r.index[k]);
-            CHECK(rows.matrix.row(i)[4 + k].value == r.weight[k]);
+            CHECK(row[k].column == n.index[k]);
+            CHECK(row[k].value == Approx(n.weight[k]).margin(0x1p-16));
+            CHECK(row[4 + k].column == rows.shape.texels() + r.index[k]);
+            CHECK(row[4 + k].value == Approx(r.weight[k]).margin(0x1p-16));
         }
+        // The weights are exact, so that their sums are too.
+        CHECK(row[0].value + row[1].value + row[2].value + row[3].value == 1.0);
+        CHECK(row[4].value + row[5].value + row[6].value + row[7].value == 1.0);
     }
 }
 
