@@ -51,15 +51,16 @@ Rgb radiance(const Table& table, const DistantLights& lights, const SurfaceView&
 }
 
 template <class Table>
-std::vector<Rgb> radiances(const Table& table, const DistantLights& lights,
+std::vector<Rgb> radiances(const Table& table, const std::function<LightsOfView()>& begin,
                            std::span<const SurfaceView> at, int threads) {
-    std::vector<Rgb> result(at.size());
+    std::vector<Rgb> result(at.size(), Rgb(0.0));
     const std::size_t tasks = (at.size() + views_per_task - 1) / views_per_task;
     parallel_for(tasks, threads, [&](std::size_t task) {
+        const LightsOfView lights = begin();
         const std::size_t first = task * views_per_task;
         const std::size_t end = std::min(first + views_per_task, at.size());
         for (std::size_t i = first; i < end; ++i) {
-            result[i] = radiance(table, lights, at[i]);
+            if (dot(at[i].n, at[i].v) > 0.0) result[i] = radiance(table, lights(at[i]), at[i]);
         }
     });
     return result;
@@ -75,9 +76,16 @@ Rgb outgoing_radiance(const Brdf& brdf, const DistantLights& lights, const Surfa
 
 std::vector<Rgb> outgoing_radiance(const Brdf& brdf, const DistantLights& lights,
                                    std::span<const SurfaceView> at, int threads) {
+    const LightsOfView all = [&](const SurfaceView&) -> const DistantLights& { return lights; };
+    return outgoing_radiance(
+        brdf, [&] { return all; }, at, threads);
+}
+
+std::vector<Rgb> outgoing_radiance(const Brdf& brdf, const std::function<LightsOfView()>& begin,
+                                   std::span<const SurfaceView> at, int threads) {
     check(brdf);
     return std::visit(
-        [&](const auto& material) { return radiances(tabulate(material), lights, at, threads); },
+        [&](const auto& material) { return radiances(tabulate(material), begin, at, threads); },
         brdf);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,13 @@ Rgb outgoing_radiance(const Brdf& brdf, const DistantLights& lights, const Surfa
 
 /// The same for many views; result i belongs to at[i] and is the same at every number of threads.
 std::vector<Rgb> outgoing_radiance(const Brdf& brdf, const DistantLights& lights,
+                                   std::span<const SurfaceView> at, int threads);
+
+/// The lights that a view sums over; what it refers to stays as it is until the next call.
+using LightsOfView = std::function<const DistantLights&(const SurfaceView&)>;
+
+/// The same where each view has lights of its own. @param begin gives each thread its LightsOfView
+std::vector<Rgb> outgoing_radiance(const Brdf& brdf, const std::function<LightsOfView()>& begin,
                                    std::span<const SurfaceView> at, int threads);
 
 }  // namespace twofold
