@@ -241,7 +241,7 @@ void fill_u32(std::uint32_t* words, std::size_t size, std::uint32_t value) {
     for (; i + lanes <= size; i += lanes) hn::StoreU(values, d, words + i);
     for (; i < size; ++i) words[i] = value;
 }
-const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+const char* target_name() { return on_sse2 ? "SSE2" : hwy::TargetName(HWY_TARGET); }
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -3,6 +3,10 @@
 
 #include "raster/lanes.hpp"
 
+#if HWY_ARCH_X86_64
+#include "raster/sse2_lanes.hpp"
+#endif
+
 #if defined(TWOFOLD_LANE_MATH) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWOFOLD_LANE_MATH
 #undef TWOFOLD_LANE_MATH
@@ -14,7 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
+#if HWY_ARCH_X86_64 && HWY_TARGET == HWY_EMU128
+namespace hn = sse2;
+constexpr bool on_sse2 = true;
+#else
 namespace hn = hwy::HWY_NAMESPACE;
+constexpr bool on_sse2 = false;
+#endif
 
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
