@@ -10,4 +10,4 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 # its package does not depend on.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
-pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy>=1.0.3)
+pkg_check_modules(hwy REQUIRED libhwy>=1.0.3)
