@@ -22,6 +22,9 @@ struct BoundUnit {
     Color<typename M::Channel> env_color;
     bool only_modulates;  ///< the environment is MODULATE of all four channels, unscaled
     bool derivatives;     ///< the lookup needs the neighbouring pixels' coordinates
+    /// What the unit reads if it has no choice between levels or faces; else null.
+    const UploadedImage<M>* only_image;
+    Addressing addressing;  ///< of it
 };
 
 template <NumericModel M>
@@ -33,6 +36,7 @@ struct BoundPass {
     Color<typename M::Channel> fog_color;
     Color<typename M::Pixel> blend_color;
     typename M::Pixel alpha_reference;
+    bool plain_write;  ///< a fragment that passes the tests replaces what was there
 };
 
 template <NumericModel M>
@@ -43,6 +47,8 @@ Color<typename M::Pixel> pixels_of(const M& m, const Vec4& c) {
 template <NumericModel M>
 BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& state,
                        const UploadedTexture<M>& texture) {
+    const bool derivatives = needs_derivatives(state, texture.has_mipmaps());
+    const bool chooses = derivatives || state.target == TextureTarget::cube_map;
     return {index,
             state,
             &texture,
@@ -51,15 +57,24 @@ BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& st
             constant_color(m, state.env.color),
             state.env.mode == TexEnvMode::modulate && state.env.rgb_scale == 1 &&
                 texture.base_format == BaseFormat::rgba,
-            needs_derivatives(state, texture.has_mipmaps())};
+            derivatives,
+            chooses ? nullptr : &texture.levels[0],
+            addressing_of(state)};
 }
 
+inline bool writes_plainly(const PassState& state, ColorFormat format) {
+    return !state.blend && format == ColorFormat::rgba8888 &&
+           state.color_mask == PassState{}.color_mask;
+}
+
+/// @param state    normalized; @param format of the framebuffer
 /// @param textures the frame's, uploaded; @param white what a unit without a texture reads (T11)
 template <NumericModel M>
-BoundPass<M> bind(const M& m, const PassState& state,
+BoundPass<M> bind(const M& m, const PassState& state, ColorFormat format,
                   const std::vector<UploadedTexture<M>>& textures,
                   const UploadedTexture<M>& white) {
-    BoundPass<M> bound{m, state, {}, std::nullopt, {}, {}, {}};
+    BoundPass<M> bound{m,  state, {}, std::nullopt,
+                       {}, {},    {}, writes_plainly(state, format)};
     for (std::size_t u = 0; u < max_units; ++u)
         if (const auto& unit = state.units[u])
             bound.units.push_back(

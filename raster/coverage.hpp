@@ -42,6 +42,10 @@ inline PixelRectangle covered_rectangle(const TriangleSetup& t, int fraction_bit
             std::min(in.y1, last_pixel(t.high.y, fraction_bits) + 1)};
 }
 
+inline bool inside(const TriangleSetup& t, const EdgeValues& e) {
+    return t.edge[0].covers(e[0]) && t.edge[1].covers(e[1]) && t.edge[2].covers(e[2]);
+}
+
 /// Calls `visit(x, y, edge values)` for every pixel of the rectangle whose centre the triangle
 /// covers, rows from the top, left to right.
 template <class Visit>
@@ -49,13 +53,13 @@ void for_each_covered_pixel(const TriangleSetup& t, int fraction_bits, const Pix
                             Visit&& visit) {
     const std::int64_t one = std::int64_t{1} << fraction_bits, half = one / 2;
     const PixelRectangle box = covered_rectangle(t, fraction_bits, target);
+    const EdgeValues step{t.edge[0].a * one, t.edge[1].a * one, t.edge[2].a * one};
     for (std::int64_t y = box.y0; y < box.y1; ++y) {
+        const WindowPoint first{box.x0 * one + half, y * one + half};
+        EdgeValues e{t.edge[0].at(first), t.edge[1].at(first), t.edge[2].at(first)};
         for (std::int64_t x = box.x0; x < box.x1; ++x) {
-            const WindowPoint centre{x * one + half, y * one + half};
-            const std::array<std::int64_t, 3> e{t.edge[0].at(centre), t.edge[1].at(centre),
-                                                t.edge[2].at(centre)};
-            if (t.edge[0].covers(e[0]) && t.edge[1].covers(e[1]) && t.edge[2].covers(e[2]))
-                visit(static_cast<int>(x), static_cast<int>(y), e);
+            if (inside(t, e)) visit(static_cast<int>(x), static_cast<int>(y), e);
+            for (std::size_t k = 0; k < 3; ++k) e[k] += step[k];
         }
     }
 }

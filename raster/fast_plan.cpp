@@ -20,7 +20,7 @@ std::vector<FastRoute> routes_of(const M& m, const Frame& frame, bool fuse) {
         const std::string vertices = why_not_on_lanes(geometry, vertex_rule(m, geometry));
         for (const std::size_t p : groups[g].passes) {
             const PassState state = normalized(frame, frame.passes[p]);
-            const BoundPass<M> bound = twofold::bind(m, state, textures, white);
+            const BoundPass<M> bound = twofold::bind(m, state, frame.color_format, textures, white);
             const bool leads = p == groups[g].passes.front();
             routes.push_back(
                 {vertices, why_not_on_lanes(bound), leads ? groups[g].apart : std::string{}, g});

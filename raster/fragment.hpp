@@ -64,7 +64,11 @@ void draw_fragment(const BoundPass<M>& pass, const Fragment<M>& f, Target& targe
         return pass.m.depth(interpolate_depth<M>(f.edge, f.triangle), target.depth_bits);
     };
     const auto source = shade(pass, f, counters);
-    if (survives(pass, source[3], target.index(f.x, f.y), depth, target, counters))
+    const std::size_t at = target.index(f.x, f.y);
+    if (!survives(pass, source[3], at, depth, target, counters)) return;
+    if (pass.plain_write)
+        target.store_color(at, source);
+    else
         write_color(pass, source, f.x, f.y, target);
 }
 

@@ -5,9 +5,6 @@
 
 namespace twofold {
 
-/// Doubled areas opposite each vertex at one pixel centre.
-using EdgeValues = std::array<std::int64_t, 3>;
-
 /// Window depth: linear in the window, the same for every pass over a triangle (R19).
 template <NumericModel M>
 double interpolate_depth(const EdgeValues& edge, const std::array<WindowVertex<M>, 3>& v) {

@@ -17,8 +17,11 @@ struct EdgeFunction {
     bool holds_its_points;
 
     std::int64_t at(WindowPoint p) const { return a * p.x + b * p.y + c; }
-    bool covers(std::int64_t value) const { return value > 0 || (value == 0 && holds_its_points); }
+    bool covers(std::int64_t value) const { return value >= (holds_its_points ? 0 : 1); }
 };
+
+/// Doubled areas opposite each vertex at one pixel centre.
+using EdgeValues = std::array<std::int64_t, 3>;
 
 /// Edge functions of a triangle; edge[k] lies opposite vertex k, so its value is that vertex's
 /// weight.

@@ -17,9 +17,10 @@ struct Fragment {
 };
 
 template <NumericModel M>
-SamplePoint<typename M::Real> sample_point(const BoundPass<M>& pass, const BoundUnit<M>& unit,
-                                           const Fragment<M>& f) {
-    SamplePoint<typename M::Real> at{interpolate_coords<M>(f.edge, f.triangle, unit.index), {}, {}};
+SamplePoint<typename M::Real> with_neighbours(
+    const BoundPass<M>& pass, const BoundUnit<M>& unit, const Fragment<M>& f,
+    const ProjectiveCoordinates<typename M::Real>& here) {
+    SamplePoint<typename M::Real> at{here, {}, {}};
     if (!unit.derivatives) return at;
     const int bits = pass.m.snap().fraction_bits;
     at.right = interpolate_coords<M>(moved(f.edge, f.setup, bits, 1, 0), f.triangle, unit.index);
@@ -30,9 +31,13 @@ SamplePoint<typename M::Real> sample_point(const BoundPass<M>& pass, const Bound
 template <NumericModel M>
 Color<typename M::Channel> sampled_texel(const BoundPass<M>& pass, const BoundUnit<M>& unit,
                                          const Fragment<M>& f, DrawCounters& counters) {
-    const auto at = sample_point(pass, unit, f);
-    if (undefined_coordinates(unit.state, at.here)) ++counters.undefined_coords;
-    return sample(pass.m, *unit.texture, unit.state, at, unit.border);
+    const auto here = interpolate_coords<M>(f.edge, f.triangle, unit.index);
+    if (undefined_coordinates(unit.state, here)) ++counters.undefined_coords;
+    if (unit.only_image)
+        return sample_image(pass.m, *unit.only_image, unit.addressing, unit.state.mag_filter, here,
+                            unit.border);
+    return sample(pass.m, *unit.texture, unit.state, with_neighbours(pass, unit, f, here),
+                  unit.border);
 }
 
 /// The vertices' secondary colour and, as its alpha, the fog factor.
@@ -79,8 +84,9 @@ Color<typename M::Channel> environment_color(const M& m, const BoundUnit<M>& uni
     if (!unit.only_modulates)
         return apply_combine(m, unit.env,
                              CombineSources<M>{texel, unit.env_color, primary, previous});
-    return {m.modulate(texel[0], previous[0]), m.modulate(texel[1], previous[1]),
-            m.modulate(texel[2], previous[2]), m.modulate(texel[3], previous[3])};
+    Color<typename M::Channel> product;
+    for (std::size_t c = 0; c < 4; ++c) product[c] = m.modulate(texel[c], previous[c]);
+    return product;
 }
 
 template <NumericModel M>

@@ -43,7 +43,7 @@ constexpr int dither_byte(int byte, int bits, int n) {
 }
 
 /// (p (256 - w) + q w) / 256, halves rounded up; w in 0..255.
-constexpr int flerp(int p, int q, int w) { return (p * (256 - w) + q * w + 128) >> 8; }
+constexpr int flerp(int p, int q, int w) { return (256 * p + (q - p) * w + 128) >> 8; }
 
 /// floor(255 x + 1/2) of x limited to [0, 1]; NaN gives 0.
 /// @source OpenGL 1.3, 2.13.9

@@ -26,6 +26,8 @@ bool undefined_coordinates(const TextureUnitState& unit, const ProjectiveCoordin
     const bool cube = unit.target == TextureTarget::cube_map;
     const ProjectiveCoordinates<Real> flat = cube ? on_face(cube_face(at), at) : at;
     const Real q = cube || unit.divide_by_q ? flat.q : Real{1};
+    const Real zero_if_finite = (flat.s - flat.s) + (flat.t - flat.t) + (q - q);
+    if (zero_if_finite == Real{0}) return q == Real{0};
     const Real s = flat.s / q, t = flat.t / q;
     return q == Real{0} || !(s == s) || !(t == t);
 }
@@ -33,8 +35,8 @@ bool undefined_coordinates(const TextureUnitState& unit, const ProjectiveCoordin
 /// A texel whose index along at least one axis is one of the border.
 /// @source OpenGL 1.3, 3.8.7: the border colour is for images without border texels
 template <NumericModel M>
-Color<typename M::Channel> fetch_border(const UploadedImage<M>& image, int i, int j,
-                                        const Color<typename M::Channel>& border) {
+const Color<typename M::Channel>& fetch_border(const UploadedImage<M>& image, int i, int j,
+                                               const Color<typename M::Channel>& border) {
     if (image.bordered.empty()) return border;
     const auto place = [](int k, int size) {
         return static_cast<std::size_t>(k == border_behind ? size + 1 : k + 1);
@@ -44,8 +46,8 @@ Color<typename M::Channel> fetch_border(const UploadedImage<M>& image, int i, in
 }
 
 template <NumericModel M>
-Color<typename M::Channel> fetch(const UploadedImage<M>& image, int i, int j,
-                                 const Color<typename M::Channel>& border) {
+const Color<typename M::Channel>& fetch(const UploadedImage<M>& image, int i, int j,
+                                        const Color<typename M::Channel>& border) {
     if (i < 0 || j < 0) return fetch_border(image, i, j, border);
     return image.texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
                         static_cast<std::size_t>(i)];
@@ -66,8 +68,8 @@ Color<typename M::Channel> sample_linear(const M& m, const UploadedImage<M>& ima
                                          const Color<typename M::Channel>& border) {
     const auto x = linear_footprint(at.u, image.width, how.wrap_s);
     const auto y = linear_footprint(at.v, image.height, how.wrap_t);
-    const auto t00 = fetch(image, x.i0, y.i0, border), t10 = fetch(image, x.i1, y.i0, border);
-    const auto t01 = fetch(image, x.i0, y.i1, border), t11 = fetch(image, x.i1, y.i1, border);
+    const auto &t00 = fetch(image, x.i0, y.i0, border), &t10 = fetch(image, x.i1, y.i0, border);
+    const auto &t01 = fetch(image, x.i0, y.i1, border), &t11 = fetch(image, x.i1, y.i1, border);
     Color<typename M::Channel> result;
     for (std::size_t c = 0; c < 4; ++c)
         result[c] = m.filter(t00[c], t10[c], t01[c], t11[c], x.fraction, y.fraction);

@@ -79,13 +79,20 @@ struct LinearFootprint {
     Real fraction;
 };
 
+/// Largest integer <= u of a limited coordinate: conversion cuts toward 0.
+template <class Real>
+int floor_of_texel(Real u) {
+    const int cut = static_cast<int>(u);
+    return u < static_cast<Real>(cut) ? cut - 1 : cut;
+}
+
 /// @source OpenGL 1.3, 3.8.7: i0 = floor(u - 1/2)
 template <class Real>
 LinearFootprint<Real> linear_footprint(Real u, int size, Wrap wrap) {
     const Real shifted = limit_coordinate(u, size, wrap) - Real{0.5};
-    const Real base = std::floor(shifted);
-    const int i = static_cast<int>(base);
-    return {wrap_index(i, size, wrap), wrap_index(i + 1, size, wrap), shifted - base};
+    const int i = floor_of_texel(shifted);
+    return {wrap_index(i, size, wrap), wrap_index(i + 1, size, wrap),
+            shifted - static_cast<Real>(i)};
 }
 
 /// The texel of the image and of its mirror image in turn. The coordinate becomes an integer before
@@ -100,8 +107,8 @@ constexpr int mirrored_index(int i, int size) {
 /// @source OpenGL 1.3, 3.8.7: floor(u), and the last texel at u = size
 template <class Real>
 int nearest_texel(Real u, int size, Wrap wrap) {
-    if (wrap == Wrap::mirrored_repeat) return mirrored_index(static_cast<int>(std::floor(u)), size);
-    const int i = static_cast<int>(std::floor(limit_coordinate(u, size, wrap)));
+    if (wrap == Wrap::mirrored_repeat) return mirrored_index(floor_of_texel(u), size);
+    const int i = floor_of_texel(limit_coordinate(u, size, wrap));
     if (i == size && wrap != Wrap::clamp_to_border) return size - 1;
     return wrap_index(i, size, wrap);
 }

@@ -102,7 +102,8 @@ UploadedImage<M> upload_image(const M& m, const Image& image, BaseFormat format,
 /// @param image  a TextureFace or Texture
 template <NumericModel M, class Image>
 UploadedLevels<M> upload_levels(const M& m, const Image& image, BaseFormat format, int border) {
-    UploadedLevels<M> levels{upload_image(m, image, format, border)};
+    UploadedLevels<M> levels;
+    levels.push_back(upload_image(m, image, format, border));
     for (const TextureImage& level : image.mipmaps)
         levels.push_back(upload_image(m, level, format, border));
     return levels;
