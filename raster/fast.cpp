@@ -59,17 +59,12 @@ lanes::DepthRule depth_rule(const PassState& state, int depth_bits) {
     return rule;
 }
 
-bool writes_plainly(const PassState& state, ColorFormat format) {
-    return !state.blend && format == ColorFormat::rgba8888 &&
-           state.color_mask == PassState{}.color_mask;
-}
-
 template <NumericModel M>
 TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, std::size_t member,
                       const std::array<std::size_t, max_units>& set_of) {
     const Frame& frame = state.frame;
     const PassState normal = normalized(frame, frame.passes[pass]);
-    BoundPass<M> bound = twofold::bind(state.m, normal, state.textures, state.white);
+    BoundPass<M> bound = twofold::bind(state.m, normal, frame.color_format, state.textures, state.white);
     const bool known = lanes_know<M>(bound);
     auto shader = known ? make_shader(state, bound) : lanes::Shader<LaneTexel<M>>{};
     return {std::move(bound),
@@ -80,8 +75,7 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
             drawable_pixels(normal, frame.width, frame.height),
             known,
             shader,
-            depth_rule<M>(normal, frame.depth_bits),
-            writes_plainly(normal, frame.color_format)};
+            depth_rule<M>(normal, frame.depth_bits)};
 }
 
 template <NumericModel M>
@@ -132,7 +126,8 @@ void start_tile(FastState<M>& state, const PixelRectangle& area, TileMemory<M>& 
     tile.depth_bits = frame.depth_bits;
     tile.stride = static_cast<std::size_t>(frame.width);
     tile.color = state.color.data() + area.y0 * frame.width + area.x0;
-    fill(tile.depth.data(), tile.depth.size(), state.m.depth(frame.clear_depth, frame.depth_bits));
+    const auto used = static_cast<std::size_t>(area.y1 - area.y0) * lanes::tile_edge;
+    fill(tile.depth.data(), used, state.m.depth(frame.clear_depth, frame.depth_bits));
     if (!frame.initial_color) return clear_tile(state, area);
     for (auto y = area.y0; y < area.y1; ++y)
         for (auto x = area.x0; x < area.x1; ++x)

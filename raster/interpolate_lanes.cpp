@@ -11,69 +11,15 @@
 
 #include "raster/lane_address-inl.hpp"
 #include "raster/lane_math-inl.hpp"
+#include "raster/lane_weights-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Doubled areas at some pixels of a span.
-struct Weights {
-    V e0, e1, e2;
-};
-
-/// Places of fragments in binary64, pixels from the triangle's first.
-struct Places {
-    V x, y;
-};
-
 HWY_INLINE VI column_of(VI at) { return hn::And(at, hn::Set(DI(), tile_edge - 1)); }
 HWY_INLINE VI row_of(VI at) { return hn::ShiftRight<tile_edge_bits>(at); }
-
-HWY_INLINE Places places_at(const Triangle& t, const std::int32_t* at) {
-    const D d;
-    const I di;
-    const auto v = hn::LoadU(di, at);
-    const auto x = hn::And(v, hn::Set(di, tile_edge - 1)), y = hn::ShiftRight<tile_edge_bits>(v);
-    return {hn::PromoteTo(d, hn::Sub(x, hn::Set(di, t.x0))),
-            hn::PromoteTo(d, hn::Sub(y, hn::Set(di, t.y0)))};
-}
-
-HWY_INLINE Weights weights_at(const Triangle& t, const std::int32_t* places) {
-    const Places p = places_at(t, places);
-    const V e1 = at(t.e[1], p.x, p.y), e2 = at(t.e[2], p.x, p.y);
-    return {hn::Sub(hn::Sub(hn::Set(D(), t.area), e1), e2), e1, e2};
-}
-
-HWY_INLINE V narrowed(D, V v) { return v; }
-template <class F>
-HWY_INLINE hn::Vec<F> narrowed(F f, V v) {
-    return hn::DemoteTo(f, v);
-}
-
-template <class Real>
-using Narrow = hn::Rebind<Real, D>;
-
-/// The coordinates of one unit at a vector of a span, as interpolate_coords() of interpolate.hpp
-/// computes them.
-template <class Real, class Channel>
-HWY_INLINE Coordinates<Narrow<Real>> coordinates_at(const Triangle& t,
-                                                    const Corners<Real, Channel>& c, std::size_t u,
-                                                    const Weights& w) {
-    const Narrow<Real> r;
-    auto w0 = narrowed(r, w.e0), w1 = narrowed(r, w.e1), w2 = narrowed(r, w.e2);
-    if (!c.over_w && !t.equal_w) {
-        w0 = hn::Mul(w0, hn::Set(r, static_cast<Real>(t.inverse_w[0])));
-        w1 = hn::Mul(w1, hn::Set(r, static_cast<Real>(t.inverse_w[1])));
-        w2 = hn::Mul(w2, hn::Set(r, static_cast<Real>(t.inverse_w[2])));
-    }
-    const auto [v0, v1, v2] = c.coords[u];
-    const auto sum = [&, v0 = v0, v1 = v1, v2 = v2](std::size_t k) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(w0, hn::Set(r, (*v0)[k])), hn::Mul(w1, hn::Set(r, (*v1)[k]))),
-                       hn::Mul(w2, hn::Set(r, (*v2)[k])));
-    };
-    return {sum(0), sum(1), sum(3)};
-}
 
 /// The largest magnitude of what a sum over the vertices passes through on the way to its value.
 using Reach = std::array<double, 3>;
@@ -165,7 +111,9 @@ HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const ByteCorn
                                                const std::int32_t* at) {
     const DI di;
     const auto half = [&](const std::int32_t* from) HWY_ATTR {
-        return footprint_by_division(s.unit[u], coordinates_at(t, c, u, weights_at(t, from)));
+        const D d;
+        return footprint_by_division(
+            s.unit[u], coordinates_at(d, c, u, coordinate_weights(d, t, c, from)));
     };
     const Footprint8 low = half(at), high = half(at + hn::Lanes(D()));
     return {hn::Combine(di, high.offset, low.offset), hn::Combine(di, high.weights, low.weights)};
@@ -285,19 +233,6 @@ void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint
     }
 }
 
-template <class Real>
-void place_reals(const Triangle& t, const RealCorners<Real>& c, const Unit<Color<Real>>& unit,
-                 std::size_t u, std::size_t count, RealBatch<Real>& out) {
-    const Narrow<Real> r;
-    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(r)) {
-        const Weights w = weights_at(t, out.places.at.data() + i);
-        const auto f = footprint(r, unit, coordinates_at(t, c, u, w));
-        hn::StoreU(f.offset, I(), out.offset[u].data() + i);
-        hn::StoreU(f.a, r, out.a[u].data() + i);
-        hn::StoreU(f.b, r, out.b[u].data() + i);
-    }
-}
-
 /// Nv17::iterate_color.
 void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* at,
                    std::size_t count, std::uint32_t* out) {
@@ -305,7 +240,7 @@ void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* 
     const I di;
     const V steps = hn::Set(d, 256.0);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const Weights w = weights_at(t, at + i);
+        const Weights<D> w = weights_at(d, t, at + i);
         V l0 = w.e0, l2 = w.e2, sum = hn::Set(d, t.area);
         if (!t.equal_w) {
             l0 = hn::Mul(w.e0, hn::Set(d, t.inverse_w[0]));
@@ -328,36 +263,6 @@ void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* 
     }
 }
 
-/// RealModel::iterate_color, the four channels of a fragment side by side.
-template <class Real>
-void iterate_reals(const Triangle& t, const RealCorners<Real>& c, const std::int32_t* at,
-                   std::size_t size, Color<Real>* out) {
-    const Narrow<Real> r;
-    const hn::CappedTag<Real, 4> four;
-    alignas(64) Real l1[hn::MaxLanes(r)], l2[hn::MaxLanes(r)], sum[hn::MaxLanes(r)];
-    for (std::size_t i = 0; i < size; i += hn::Lanes(r)) {
-        const Weights w = weights_at(t, at + i);
-        const auto over = [&](V e, std::size_t k) HWY_ATTR {
-            return hn::Mul(narrowed(r, e), hn::Set(r, static_cast<Real>(t.inverse_w[k])));
-        };
-        const auto p0 = over(w.e0, 0), p1 = over(w.e1, 1), p2 = over(w.e2, 2);
-        hn::StoreU(p1, r, l1);
-        hn::StoreU(p2, r, l2);
-        hn::StoreU(hn::Add(hn::Add(p0, p1), p2), r, sum);
-        const std::size_t count = HWY_MIN(hn::Lanes(r), size - i);
-        for (std::size_t k = 0; k < count; ++k)
-            for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
-                const auto c0 = hn::LoadU(four, c.colors[0]->data() + ch);
-                const auto d1 = hn::Sub(hn::LoadU(four, c.colors[1]->data() + ch), c0);
-                const auto d2 = hn::Sub(hn::LoadU(four, c.colors[2]->data() + ch), c0);
-                const auto more = hn::Add(hn::Mul(hn::Set(four, l1[k]), d1),
-                                          hn::Mul(hn::Set(four, l2[k]), d2));
-                hn::StoreU(hn::Add(c0, hn::Div(more, hn::Set(four, sum[k]))), four,
-                           out[i + k].data() + ch);
-            }
-    }
-}
-
 void interpolate_u8(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                     std::size_t count, ByteBatch& out) {
     place_bytes(t, c, s, count, out);
@@ -369,27 +274,6 @@ void interpolate_u8(const Triangle& t, const ByteCorners& c, const Shader<std::u
     out.size += count;
 }
 
-template <class Real>
-void interpolate_reals(const Triangle& t, const RealCorners<Real>& c, const Shader<Color<Real>>& s,
-                       std::size_t count, RealBatch<Real>& out) {
-    for (std::size_t u = 0; u < s.units; ++u) place_reals(t, c, s.unit[u], u, count, out);
-    Color<Real>* const color = out.color.data() + out.size;
-    if (c.one_color)
-        std::fill_n(color, count, *c.colors[0]);
-    else
-        iterate_reals(t, c, out.places.at.data() + out.size, count, color);
-    out.size += count;
-}
-
-void interpolate_f64(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
-                     std::size_t count, RealBatch<double>& out) {
-    interpolate_reals(t, c, s, count, out);
-}
-void interpolate_f32(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
-                     std::size_t count, RealBatch<float>& out) {
-    interpolate_reals(t, c, s, count, out);
-}
-
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace twofold::lanes
@@ -399,21 +283,10 @@ HWY_AFTER_NAMESPACE();
 namespace twofold::lanes {
 
 HWY_EXPORT(interpolate_u8);
-HWY_EXPORT(interpolate_f64);
-HWY_EXPORT(interpolate_f32);
 
 void interpolate(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                  std::size_t count, ByteBatch& out) {
     HWY_DYNAMIC_DISPATCH(interpolate_u8)(t, c, s, count, out);
 }
-void interpolate(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
-                 std::size_t count, RealBatch<double>& out) {
-    HWY_DYNAMIC_DISPATCH(interpolate_f64)(t, c, s, count, out);
-}
-void interpolate(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
-                 std::size_t count, RealBatch<float>& out) {
-    HWY_DYNAMIC_DISPATCH(interpolate_f32)(t, c, s, count, out);
-}
-
 }  // namespace twofold::lanes
 #endif

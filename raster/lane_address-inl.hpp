@@ -14,31 +14,44 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// One axis of a unit's image, prepared once for all vectors.
+template <class R>
+struct Extent {
+    using Real = hn::TFromD<R>;
+    hn::Vec<R> size, scale;   ///< texels; what coordinates are multiplied by
+    hn::Vec<R> least, most;   ///< what limited coordinates lie between
+    hn::Vec<R> last;          ///< texel of NEAREST
+    Wrap wrap;
+
+    HWY_INLINE Extent(R r, int texels, Wrap wrap_mode, bool in_texels)
+        : size(hn::Set(r, static_cast<Real>(texels))),
+          scale(hn::Set(r, static_cast<Real>(in_texels ? 1 : texels))),
+          least(hn::Set(r, margin(wrap_mode))),
+          most(hn::Sub(size, least)),
+          last(hn::Set(r, static_cast<Real>(wrap_mode == Wrap::clamp_to_border ? texels
+                                                                               : texels - 1))),
+          wrap(wrap_mode) {}
+
+    static Real margin(Wrap wrap) {
+        return wrap == Wrap::clamp ? Real{0}
+                                   : (wrap == Wrap::clamp_to_border ? Real{-0.5} : Real{0.5});
+    }
+};
+
 /// limit_coordinate() of texunit/texel_address.hpp.
 template <class R>
-HWY_INLINE hn::Vec<R> limited(R r, hn::Vec<R> u, int size, Wrap wrap) {
+HWY_INLINE hn::Vec<R> limited(R r, hn::Vec<R> u, const Extent<R>& in) {
     using Real = hn::TFromD<R>;
-    const auto n = hn::Set(r, static_cast<Real>(size));
-    const auto half = hn::Set(r, Real{0.5});
-    switch (wrap) {
-        case Wrap::repeat:
-            return hn::Sub(u, hn::Mul(n, hn::Floor(hn::Div(u, n))));
-        case Wrap::clamp:
-            return hn::Min(hn::Max(u, hn::Zero(r)), n);
-        case Wrap::clamp_to_edge:
-            return hn::Min(hn::Max(u, half), hn::Sub(n, half));
-        case Wrap::mirrored_repeat: {
-            const auto copy = hn::Floor(hn::Div(u, n));
-            const auto inside = hn::Sub(u, hn::Mul(n, copy));
-            const auto two = hn::Set(r, Real{2});
-            const auto even = hn::Eq(copy, hn::Mul(two, hn::Floor(hn::Div(copy, two))));
-            const auto turned = hn::IfThenElse(even, inside, hn::Sub(n, inside));
-            return hn::Min(hn::Max(turned, half), hn::Sub(n, half));
-        }
-        case Wrap::clamp_to_border:
-            break;
+    if (in.wrap == Wrap::repeat)
+        return hn::Sub(u, hn::Mul(in.size, hn::Floor(hn::Div(u, in.size))));
+    if (in.wrap == Wrap::mirrored_repeat) {
+        const auto copy = hn::Floor(hn::Div(u, in.size));
+        const auto inside = hn::Sub(u, hn::Mul(in.size, copy));
+        const auto two = hn::Set(r, Real{2});
+        const auto even = hn::Eq(copy, hn::Mul(two, hn::Floor(hn::Div(copy, two))));
+        u = hn::IfThenElse(even, inside, hn::Sub(in.size, inside));
     }
-    return hn::Min(hn::Max(u, hn::Neg(half)), hn::Add(n, half));
+    return hn::Min(hn::Max(u, in.least), in.most);
 }
 
 /// A place along one axis: the lesser texel and, for LINEAR, the fraction of the next.
@@ -48,24 +61,21 @@ struct Axis {
 };
 
 template <class R>
-HWY_INLINE Axis<R> axis(R r, hn::Vec<R> u, int size, Wrap wrap, bool linear) {
-    using Real = hn::TFromD<R>;
-    const auto at = limited(r, u, size, wrap);
+HWY_INLINE Axis<R> axis(R r, hn::Vec<R> u, const Extent<R>& in, bool linear) {
+    const auto at = limited(r, u, in);
     if (linear) {
-        const auto shifted = hn::Sub(at, hn::Set(r, Real{0.5}));
+        const auto shifted = hn::Sub(at, hn::Set(r, hn::TFromD<R>{0.5}));
         const auto base = hn::Floor(shifted);
         return {base, hn::Sub(shifted, base)};
     }
-    const int last = wrap == Wrap::clamp_to_border ? size : size - 1;
-    return {hn::Min(hn::Floor(at), hn::Set(r, static_cast<Real>(last))), hn::Zero(r)};
+    return {hn::Min(hn::Floor(at), in.last), hn::Zero(r)};
 }
 
 /// texel_coordinate(), q being neither 0 nor NaN.
 template <class R>
-HWY_INLINE hn::Vec<R> texels_along(R r, hn::Vec<R> s, hn::Vec<R> q, int size) {
-    using Real = hn::TFromD<R>;
-    const auto limit = hn::Set(r, Real{32768});
-    const auto u = hn::Div(hn::Mul(s, hn::Set(r, static_cast<Real>(size))), q);
+HWY_INLINE hn::Vec<R> texels_along(R r, hn::Vec<R> s, hn::Vec<R> q, const Extent<R>& in) {
+    const auto limit = hn::Set(r, hn::TFromD<R>{32768});
+    const auto u = hn::Div(hn::Mul(s, in.scale), q);
     return hn::Min(hn::Max(u, hn::Neg(limit)), limit);
 }
 
@@ -85,22 +95,34 @@ struct Coordinates {
 /// the fractions of the next.
 template <class R>
 struct Footprint {
-    hn::Vec<I> offset;
+    hn::Vec<hn::Rebind<std::int32_t, R>> offset;
     hn::Vec<R> a, b;
 };
 
-template <class R, class Texel>
-HWY_INLINE Footprint<R> footprint(R r, const Unit<Texel>& unit, const Coordinates<R>& c) {
-    using Real = hn::TFromD<R>;
-    const Image<Texel>& image = unit.image;
-    const auto q = unit.divide_by_q ? c.q : hn::Set(r, Real{1});
-    const auto u = texels_along(r, c.s, q, unit.in_texels ? 1 : image.width);
-    const auto v = texels_along(r, c.t, q, unit.in_texels ? 1 : image.height);
-    const auto x = axis(r, u, image.width, unit.wrap_s, unit.linear);
-    const auto y = axis(r, v, image.height, unit.wrap_t, unit.linear);
-    const I di;
-    const auto one = hn::Set(di, 1);
-    const auto line = hn::Mul(hn::Add(as_int(r, y.texel), one), hn::Set(di, image.stride));
+/// What footprint() needs of a unit.
+template <class R>
+struct Addresses {
+    Extent<R> x, y;
+    int stride;
+    bool linear, divide_by_q;
+
+    template <class Texel>
+    HWY_INLINE Addresses(R r, const Unit<Texel>& unit)
+        : x(r, unit.image.width, unit.wrap_s, unit.in_texels),
+          y(r, unit.image.height, unit.wrap_t, unit.in_texels),
+          stride(unit.image.stride),
+          linear(unit.linear),
+          divide_by_q(unit.divide_by_q) {}
+};
+
+template <class R>
+HWY_INLINE Footprint<R> footprint(R r, const Addresses<R>& in, const Coordinates<R>& c) {
+    const auto q = in.divide_by_q ? c.q : hn::Set(r, hn::TFromD<R>{1});
+    const auto x = axis(r, texels_along(r, c.s, q, in.x), in.x, in.linear);
+    const auto y = axis(r, texels_along(r, c.t, q, in.y), in.y, in.linear);
+    const hn::Rebind<std::int32_t, R> ints;
+    const auto one = hn::Set(ints, 1);
+    const auto line = hn::Mul(hn::Add(as_int(r, y.texel), one), hn::Set(ints, in.stride));
     return {hn::Add(line, hn::Add(as_int(r, x.texel), one)), x.fraction, y.fraction};
 }
 
@@ -113,7 +135,7 @@ HWY_INLINE Footprint8 footprint_by_division(const Unit<std::uint32_t>& unit,
                                             const Coordinates<D>& c) {
     const D d;
     const I di;
-    const Footprint<D> f = footprint(d, unit, c);
+    const Footprint<D> f = footprint(d, Addresses<D>(d, unit), c);
     const auto weight = [&](V fraction) HWY_ATTR {
         return hn::DemoteTo(
             di, hn::Min(hn::Mul(fraction, hn::Set(d, 256.0)), hn::Set(d, 255.0)));

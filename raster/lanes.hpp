@@ -151,7 +151,7 @@ void interpolate(const Triangle& t, const RealCorners<double>& c, const Shader<C
 void interpolate(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
                  std::size_t count, RealBatch<float>& out);
 
-/// Looks textures up and combines them with the colours. Real ones are not yet limited to [0, 1].
+/// Looks textures up and combines them with the colours. Real ones are limited to [0, 1].
 void shade(const Shader<std::uint32_t>& s, ByteBatch& batch);
 void shade(const Shader<Color<double>>& s, RealBatch<double>& batch);
 void shade(const Shader<Color<float>>& s, RealBatch<float>& batch);
@@ -159,7 +159,7 @@ void shade(const Shader<Color<float>>& s, RealBatch<float>& batch);
 /// Puts a batch's colours to their pixels. The tile's rows lie `stride` pixels apart.
 void write_colors(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride);
 
-/// The fragments' real colours as bytes: floor(255 x + 1/2) of x limited to [0, 1].
+/// The fragments' shaded colours as bytes: floor(255 x + 1/2).
 void round_to_bytes(RealBatch<double>& batch);
 
 /// The name of the instruction set that was chosen.

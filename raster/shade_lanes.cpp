@@ -14,8 +14,6 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
-// ------------------------------------------------------------------------------ 8-bit arithmetic
-
 using U32 = hn::ScalableTag<std::uint32_t>;
 using S32 = hn::RebindToSigned<U32>;
 using U16 = hn::Repartition<std::uint16_t, U32>;
@@ -146,88 +144,6 @@ void write_bytes(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride
     }
 }
 
-// ------------------------------------------------------------------------------- real arithmetic
-
-template <class Real>
-using Four = hn::CappedTag<Real, 4>;
-
-/// RealModel::filter on as many channels as a vector of four holds, from `channel` on.
-template <class Real>
-HWY_INLINE hn::Vec<Four<Real>> real_texel(const Image<Color<Real>>& image, std::int32_t at,
-                                          std::size_t channel, Real a, Real b, bool linear) {
-    const Four<Real> four;
-    const auto texel = [&](std::int32_t more) HWY_ATTR {
-        return hn::LoadU(four, image.texels[at + more].data() + channel);
-    };
-    if (!linear) return texel(0);
-    const auto va = hn::Set(four, a), na = hn::Set(four, Real{1} - a);
-    const auto vb = hn::Set(four, b), nb = hn::Set(four, Real{1} - b);
-    const auto row0 = hn::Add(hn::Mul(na, texel(0)), hn::Mul(va, texel(1)));
-    const auto row1 =
-        hn::Add(hn::Mul(na, texel(image.stride)), hn::Mul(va, texel(image.stride + 1)));
-    return hn::Add(hn::Mul(nb, row0), hn::Mul(vb, row1));
-}
-
-/// Factors and limits of MODULATE's scales. A channel that is not scaled is not limited either.
-template <class Real>
-struct Scales {
-    std::array<Real, 4> factor, least, most;
-
-    explicit Scales(const Unit<Color<Real>>& unit) {
-        constexpr Real all = hwy::HighestValue<Real>();
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int scale = k < 3 ? unit.rgb_scale : unit.alpha_scale;
-            factor[k] = static_cast<Real>(scale);
-            least[k] = scale == 1 ? -all : Real{0};
-            most[k] = scale == 1 ? all : Real{1};
-        }
-    }
-};
-
-template <class Real>
-void shade_real_unit(const Unit<Color<Real>>& unit, std::size_t u, RealBatch<Real>& batch) {
-    const Four<Real> four;
-    const bool scaled = unit.rgb_scale != 1 || unit.alpha_scale != 1;
-    const Scales<Real> scales(unit);
-    for (std::size_t i = 0; i < batch.size; ++i)
-        for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
-            Real* const color = batch.color[i].data() + ch;
-            auto c = real_texel(unit.image, batch.offset[u][i], ch, batch.a[u][i], batch.b[u][i],
-                                unit.linear);
-            if (!unit.replace) {
-                c = hn::Mul(c, hn::LoadU(four, color));
-                if (scaled)
-                    c = hn::Min(hn::Max(hn::Mul(c, hn::LoadU(four, scales.factor.data() + ch)),
-                                        hn::LoadU(four, scales.least.data() + ch)),
-                                hn::LoadU(four, scales.most.data() + ch));
-            }
-            hn::StoreU(c, four, color);
-        }
-}
-
-template <class Real>
-void shade_reals(const Shader<Color<Real>>& s, RealBatch<Real>& batch) {
-    for (std::size_t u = 0; u < s.units; ++u) shade_real_unit(s.unit[u], u, batch);
-}
-
-void round_f64(RealBatch<double>& batch) {
-    const Four<double> four;
-    const hn::Rebind<std::int32_t, Four<double>> ints;
-    for (std::size_t i = 0; i < batch.size; ++i) {
-        alignas(16) std::array<std::int32_t, 4> c;
-        for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
-            const auto x = hn::LoadU(four, batch.color[i].data() + ch);
-            const auto inside = hn::Min(hn::Max(x, hn::Zero(four)), hn::Set(four, 1.0));
-            const auto scaled = hn::Add(hn::Mul(hn::Set(four, 255.0), inside), hn::Set(four, 0.5));
-            hn::StoreU(hn::DemoteTo(ints, scaled), ints, c.data() + ch);
-        }
-        batch.rounded[i] = packed_bytes(c);
-    }
-}
-
-void shade_f64(const Shader<Color<double>>& s, RealBatch<double>& batch) { shade_reals(s, batch); }
-void shade_f32(const Shader<Color<float>>& s, RealBatch<float>& batch) { shade_reals(s, batch); }
-
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace twofold::lanes
@@ -237,24 +153,14 @@ HWY_AFTER_NAMESPACE();
 namespace twofold::lanes {
 
 HWY_EXPORT(shade_bytes);
-HWY_EXPORT(shade_f64);
-HWY_EXPORT(shade_f32);
-HWY_EXPORT(round_f64);
 HWY_EXPORT(write_bytes);
 
 void shade(const Shader<std::uint32_t>& s, ByteBatch& batch) {
     HWY_DYNAMIC_DISPATCH(shade_bytes)(s, batch);
 }
-void shade(const Shader<Color<double>>& s, RealBatch<double>& batch) {
-    HWY_DYNAMIC_DISPATCH(shade_f64)(s, batch);
-}
-void shade(const Shader<Color<float>>& s, RealBatch<float>& batch) {
-    HWY_DYNAMIC_DISPATCH(shade_f32)(s, batch);
-}
 void write_colors(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride) {
     HWY_DYNAMIC_DISPATCH(write_bytes)(batch, tile, stride);
 }
-void round_to_bytes(RealBatch<double>& batch) { HWY_DYNAMIC_DISPATCH(round_f64)(batch); }
 
 }  // namespace twofold::lanes
 #endif

@@ -44,7 +44,6 @@ struct TilePass {
     bool on_lanes;
     lanes::Shader<LaneTexel<M>> shader;
     lanes::DepthRule depth;
-    bool plain_write;  ///< a fragment that passes replaces what was there
 };
 
 template <NumericModel M>
@@ -61,7 +60,7 @@ struct TileMemory {
     StoredColor<M>* color = nullptr;  ///< of the tile's first pixel
     std::size_t stride = 0;           ///< pixels from a row of the picture to the next
     alignas(64) std::array<Depth, lanes::tile_pixels + lanes::widest> depth;
-    LaneBatch<M> batch;
+    LaneBatch<M> batch{};
 
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * lanes::tile_edge +
@@ -83,7 +82,7 @@ class TileMemoryPool {
   public:
     std::unique_ptr<TileMemory<M>> take() {
         const std::lock_guard lock(mutex_);
-        if (free_.empty()) return std::make_unique<TileMemory<M>>();
+        if (free_.empty()) return std::make_unique_for_overwrite<TileMemory<M>>();
         auto memory = std::move(free_.back());
         free_.pop_back();
         return memory;
@@ -181,27 +180,23 @@ lanes::Corners<typename M::Real, typename M::Channel> lane_corners(const TileTri
 
 /// The colour of fragment i of a batch that has been shaded.
 template <NumericModel M>
-StoredColor<M> shaded_color(const M& m, const TileMemory<M>& tile, std::size_t i) {
-    if constexpr (lane_kind<M>() == LaneKind::bytes) {
-        return tile.batch.color[i];
-    } else if constexpr (std::is_integral_v<typename M::Pixel>) {
+const StoredColor<M>& shaded_color(const TileMemory<M>& tile, std::size_t i) {
+    if constexpr (lane_kind<M>() == LaneKind::reals && std::is_integral_v<typename M::Pixel>)
         return tile.batch.rounded[i];
-    } else {
-        const auto& c = tile.batch.color[i];
-        return {m.finish(c[0]), m.finish(c[1]), m.finish(c[2]), m.finish(c[3])};
-    }
+    else
+        return tile.batch.color[i];
 }
 
 /// Finishes a shaded fragment: the tests that are left, the blend and the write.
 template <NumericModel M>
 void finish_fragment(const TilePass<M>& pass, std::size_t i, bool certain, TileMemory<M>& tile) {
     const auto at = static_cast<std::size_t>(tile.batch.places.at[i]);
-    const StoredColor<M> color = shaded_color(pass.bound.m, tile, i);
+    const StoredColor<M>& color = shaded_color(tile, i);
     const auto depth = [&] { return static_cast<typename M::Depth>(tile.batch.places.z[i]); };
     DrawCounters ignored;
     if (!certain && !survives(pass.bound, pixel_color<M>(color)[3], at, depth, tile, ignored))
         return;
-    if (pass.plain_write)
+    if (pass.bound.plain_write)
         tile.stored_at(at) = color;
     else
         write_color(pass.bound, pixel_color<M>(color),
@@ -220,7 +215,7 @@ void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
         lanes::round_to_bytes(batch);
     bool written = false;
     if constexpr (lane_kind<M>() == LaneKind::bytes) {
-        written = certain && pass.plain_write;
+        written = certain && pass.bound.plain_write;
         if (written) lanes::write_colors(batch, tile.color, tile.stride);
     }
     if (!written)
@@ -235,7 +230,7 @@ template <NumericModel M>
 void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileMemory<M>& tile) {
     lanes::DepthRule rule = t.pass.depth;
     rule.early = rule.computed && t.certain;
-    const bool waits = t.certain && t.pass.plain_write;
+    const bool waits = t.certain && t.pass.bound.plain_write;
     if (!waits) flush(t.pass, true, tile);
     const auto corners = lane_corners(t);
     for (int row = edges.y0; row < edges.y1;) {
