@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: install_packages.sh build|check|gl
+# Installs the Debian packages that are missing: install_packages.sh build|check|gl|platforms
 # docs/dependencies.md says what each is for.
 set -euo pipefail
 
@@ -9,12 +9,19 @@ check=("${build[@]}" clang catch2 libmpfr-dev libgmm++-dev libeigen3-dev libtiny
        binutils git python3 python3-jsonschema chromium valgrind)
 # To compare with Mesa's drivers without a screen (-DTWOFOLD_GL=ON).
 gl=("${build[@]}" libegl-dev libgl-dev libopengl-dev libegl1 libegl-mesa0 libgl1-mesa-dri)
+# Other processors' compilers and emulators (tests/platforms/run).
+platforms=(g++ clang cmake ninja-build python3 libglm-dev libfmt-dev libtbb-dev libhwy-dev
+           libc++-14-dev libc++abi-14-dev lld-14 qemu-user-static
+           g++-i686-linux-gnu g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu
+           g++-powerpc64le-linux-gnu g++-mips64el-linux-gnuabi64 g++-s390x-linux-gnu
+           wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs)
 
 case "${1:-}" in
     build) wanted=("${build[@]}") ;;
     check) wanted=("${check[@]}") ;;
     gl) wanted=("${gl[@]}") ;;
-    *) echo "usage: $0 build|check|gl" >&2; exit 2 ;;
+    platforms) wanted=("${platforms[@]}") ;;
+    *) echo "usage: $0 build|check|gl|platforms" >&2; exit 2 ;;
 esac
 
 missing=()

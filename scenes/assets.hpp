@@ -22,10 +22,4 @@ struct SceneAssets {
 /// @throws Error naming the file that cannot be used
 SceneAssets load_assets(const Scene& scene);
 
-/// A picture, rows top down, as a texture image, rows bottom up.
-Texture texture_of(const ByteImage& image);
-
-/// A chequered texture; field (0, 0) is at s = t = 0.
-Texture checkerboard(const Checkerboard& spec);
-
 }  // namespace twofold

@@ -1,5 +1,5 @@
-#include "scenes/assets.hpp"
 #include "scenes/box_mipmaps.hpp"
+#include "scenes/texture_images.hpp"
 #include "tests/raster/random/random_parts.hpp"
 #include "texunit/byte_arithmetic.hpp"
 #include "texunit/paraboloid.hpp"
