@@ -1,5 +1,10 @@
 """The platforms of the matrix: how each is compiled and run."""
+import os
+import subprocess
 from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @dataclass(frozen=True)
@@ -53,3 +58,18 @@ PLATFORMS = [
     native("clang-O2", "clang++", "-O2"),
     native("clang-O3-native", "clang++", "-O3 -march=native"),
 ]
+
+
+def build(platform):
+    """The program, or the end of what its build said."""
+    folder = ROOT / "build/platforms" / platform.name
+    configure = ["cmake", "-S", ROOT / "tests/platforms", "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+                 f"-DCMAKE_CXX_COMPILER={platform.compiler}", f"-DCMAKE_CXX_FLAGS={platform.flags}",
+                 *platform.cmake]
+    compile_all = ["cmake", "--build", folder, "--target", "platform_hashes",
+                   "--parallel", str(os.cpu_count())]
+    for command in (configure, compile_all):
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            return None, done.stdout[-4000:]
+    return folder / "platform_hashes", ""
