@@ -59,11 +59,19 @@ HWY_INLINE hn::Mask<U> in_doubt(hn::Vec<U> x) {
     return hn::Eq(hn::And(hn::Add(x, hn::Set(u, 1)), hn::Set(u, 0x7fffe)), hn::Zero(u));
 }
 
+/// The lower halves of the words of two vectors.
+HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
+    const DI di;
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return hn::ConcatOdd(di, hn::BitCast(di, high), hn::BitCast(di, low));
+#else
+    return hn::ConcatEven(di, hn::BitCast(di, high), hn::BitCast(di, low));
+#endif
+}
+
 /// The floors of two vectors of such numbers.
 HWY_INLINE VI floors(hn::Vec<U> low, hn::Vec<U> high) {
-    const DI di;
-    return hn::ConcatEven(di, hn::BitCast(di, hn::ShiftRight<19>(high)),
-                          hn::BitCast(di, hn::ShiftRight<19>(low)));
+    return lower_halves(hn::ShiftRight<19>(low), hn::ShiftRight<19>(high));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_CASE("Both materials are reciprocal", "[brdf]") {
     }
 }
 
-TEST_CASE("A view or a light at or below the horizon gives nothing", "[brdf][S01]") {
+TEST_CASE("S01 A view or a light at or below the horizon gives nothing", "[brdf][S01]") {
     for (const Brdf& material : {Brdf(glossy()), Brdf(ModifiedPhong{})}) {
         for (const double cosine : {0.0, -0.0, -1e-8, -0.5, -1.0}) {
             const Vec3 low(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
@@ -72,7 +72,7 @@ TEST_CASE("A view or a light at or below the horizon gives nothing", "[brdf][S01
     }
 }
 
-TEST_CASE("Grazing Cook-Torrance stays finite and tends to its stated limit", "[brdf][S02]") {
+TEST_CASE("S02 Grazing Cook-Torrance stays finite and tends to its stated limit", "[brdf][S02]") {
     const Brdf material = glossy();
     for (int k = 1; k <= 15; ++k) {
         double graze = 1.0;
@@ -96,7 +96,7 @@ TEST_CASE("Grazing Cook-Torrance stays finite and tends to its stated limit", "[
     CHECK(f == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("The lighting sum stays finite at grazing", "[brdf][S02]") {
+TEST_CASE("S02 The lighting sum stays finite at grazing", "[brdf][S02]") {
     const DistantLights sky = constant_environment(Rgb(1.0), 2048);
     for (double graze = 0.1; graze > 1e-16; graze /= 10.0) {
         const Vec3 v(std::sqrt(1.0 - graze * graze), 0.0, graze);
@@ -106,7 +106,8 @@ TEST_CASE("The lighting sum stays finite at grazing", "[brdf][S02]") {
     CHECK(outgoing_radiance(glossy(), sky, {up, Vec3(0.0, 0.0, -1.0)}) == Rgb(0.0));
 }
 
-TEST_CASE("Beckmann's distribution is finite in logarithms where it underflows", "[brdf][S04]") {
+TEST_CASE("S04 Beckmann's distribution is finite in logarithms where it underflows",
+          "[brdf][S04]") {
     // -tan^2(0.05) / m^2 - ln(m^2 cos^4(0.05)) to 20 digits; with D / pi it is the -2491.4968 of
     // S04.
     const double cosine = exact::cos(0.05), tangent = exact::sin(0.05) / cosine;
@@ -115,7 +116,7 @@ TEST_CASE("Beckmann's distribution is finite in logarithms where it underflows",
     CHECK(exact::exp(log_d) == 0.0);
 }
 
-TEST_CASE("A lobe far narrower than its distance to the light stays finite", "[brdf][S04]") {
+TEST_CASE("S04 A lobe far narrower than its distance to the light stays finite", "[brdf][S04]") {
     const CookTorrance narrow = one_lobe(1e-3);
     DistantLights lamp;
     lamp.push_back(at_angle(0.1, 0.0), Rgb(1.0));

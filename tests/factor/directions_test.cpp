@@ -30,7 +30,8 @@ double mean_view_cosine(const std::vector<SurfaceView>& views) {
 
 }  // namespace
 
-TEST_CASE("Every pair is a unit normal and a unit view above the horizon", "[directions][S01]") {
+TEST_CASE("S01 Every pair is a unit normal and a unit view above the horizon",
+          "[directions][S01]") {
     for (const SurfaceView& view : surface_views(50000, 0)) {
         REQUIRE(std::fabs(length(view.n) - 1.0) < 1e-15);
         REQUIRE(std::fabs(length(view.v) - 1.0) < 1e-15);
@@ -38,7 +39,7 @@ TEST_CASE("Every pair is a unit normal and a unit view above the horizon", "[dir
     }
 }
 
-TEST_CASE("Views at the horizon are counted, those above it are not", "[directions][S01]") {
+TEST_CASE("S01 Views at the horizon are counted, those above it are not", "[directions][S01]") {
     const Vec3 n(0.0, 0.0, 1.0);
     std::vector<SurfaceView> views;
     for (const double cosine : {0.0, 1e-8, 1e-4, 2e-4, 0.5, 1.0}) {

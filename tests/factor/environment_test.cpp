@@ -49,7 +49,7 @@ Environment read(const FloatImage& image, EnvironmentSettings settings = {}) {
 
 }  // namespace
 
-TEST_CASE("Solid angles sum to 4 pi at every size", "[environment][S05]") {
+TEST_CASE("S05 Solid angles sum to 4 pi at every size", "[environment][S05]") {
     for (const auto& [width, height] : {std::pair(1, 1), {2, 1}, {1000, 500}, {512, 256}, {7, 3}}) {
         const Environment sky = read(even_map(width, height, 3, 1.0F));
         CHECK(sky.report.solid_angle == Approx(four_pi).epsilon(1e-14));
@@ -69,7 +69,7 @@ TEST_CASE("The box is the smallest that leaves few enough cells", "[environment]
     CHECK(read(even_map(128, 64, 3, 1.0F), {1, false}).lights.size() == 1);
 }
 
-TEST_CASE("A picture of few texels is cut finer, each texel constant", "[environment][S08]") {
+TEST_CASE("S08 A picture of few texels is cut finer, each texel constant", "[environment][S08]") {
     const Environment sky = read(even_map(1, 1, 1, 3.0F));
     CHECK(sky.report.split == 90);
     const ModifiedPhong chalk{Rgb(0.5), Rgb(0.0), 1.0};
@@ -78,7 +78,7 @@ TEST_CASE("A picture of few texels is cut finer, each texel constant", "[environ
     }
 }
 
-TEST_CASE("Under a constant map radiance is constant, poles and seam included",
+TEST_CASE("S05 Under a constant map radiance is constant, poles and seam included",
           "[environment][S05]") {
     const ModifiedPhong chalk{Rgb(1.0), Rgb(0.0), 1.0};
     for (const auto& [width, height] : {std::pair(2, 1), {1000, 500}}) {
@@ -101,7 +101,7 @@ TEST_CASE("Averaging keeps the energy", "[environment]") {
     }
 }
 
-TEST_CASE("A bright texel is found in its direction", "[environment][D07]") {
+TEST_CASE("D07 A bright texel is found in its direction", "[environment][D07]") {
     // Width 64: column 32 begins at forward (-z), 48 at right (+x), 16 at left (-x), 0 at back
     // (+z).
     struct Axis {
@@ -119,7 +119,7 @@ TEST_CASE("A bright texel is found in its direction", "[environment][D07]") {
     }
 }
 
-TEST_CASE("A painted disc is found where it was painted", "[environment][D07]") {
+TEST_CASE("D07 A painted disc is found where it was painted", "[environment][D07]") {
     for (const Vec3 d : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(-1, -2, -3)}) {
         const FloatImage image = paint({Rgb(0.0), {{d, 8.0, Rgb(1.0)}}}, 256, 128);
         const DistantLights lights = read(image).lights;
@@ -131,7 +131,7 @@ TEST_CASE("A painted disc is found where it was painted", "[environment][D07]") 
     }
 }
 
-TEST_CASE("Negative radiance is raised to zero and counted", "[environment][D01][F02]") {
+TEST_CASE("D01 F02 Negative radiance is raised to zero and counted", "[environment][D01][F02]") {
     FloatImage ring = with_value(even_map(64, 32, 3, 0.0F), 10, 9, 0, 30000.0F);
     ring = with_value(std::move(ring), 11, 9, 0, -3894.0F);
     ring = with_value(std::move(ring), 9, 9, 2, -1e-30F);
@@ -146,7 +146,7 @@ TEST_CASE("Negative radiance is raised to zero and counted", "[environment][D01]
     }
 }
 
-TEST_CASE("A value that is not finite is an error naming file, texel and channel",
+TEST_CASE("F03 A value that is not finite is an error naming file, texel and channel",
           "[environment][F03]") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
@@ -163,7 +163,7 @@ TEST_CASE("A value that is not finite is an error naming file, texel and channel
     }
 }
 
-TEST_CASE("Repair reads what is not finite as zero and counts it", "[environment][F03]") {
+TEST_CASE("F03 Repair reads what is not finite as zero and counts it", "[environment][F03]") {
     FloatImage image =
         with_value(even_map(8, 4, 3, 1.0F), 3, 2, 1, std::numeric_limits<float>::quiet_NaN());
     image = with_value(std::move(image), 4, 2, 0, std::numeric_limits<float>::infinity());
@@ -174,8 +174,9 @@ TEST_CASE("Repair reads what is not finite as zero and counts it", "[environment
     CHECK(total_weight(sky.lights) > 0.9 * four_pi);
 }
 
-TEST_CASE("Alpha is ignored, also where it is not finite, and grey is read as three equal channels",
-          "[environment][D08]") {
+TEST_CASE(
+    "D08 Alpha is ignored, also where it is not finite, and grey is read as three equal channels",
+    "[environment][D08]") {
     const FloatImage rgba =
         with_value(even_map(8, 4, 4, 1.0F), 2, 2, 3, std::numeric_limits<float>::quiet_NaN());
     CHECK(read(rgba).report.ignored_channels == 1);
@@ -191,7 +192,7 @@ TEST_CASE("Pictures of impossible size are refused", "[environment]") {
     CHECK_THROWS_AS(read(even_map(4, 2, 3, 1.0F), {0, false}), Error);
 }
 
-TEST_CASE("The sun is kept and its share is reported", "[environment][S06][S07]") {
+TEST_CASE("S06 S07 The sun is kept and its share is reported", "[environment][S06][S07]") {
     const Environment sky = read(with_value(even_map(512, 256, 1, 1.0F), 100, 64, 0, 1e6F));
     CHECK(sky.report.brightest == std::array<int, 2>{100, 64});
     const double texel = 2.0 * exact::pi / 512.0 *
@@ -201,7 +202,7 @@ TEST_CASE("The sun is kept and its share is reported", "[environment][S06][S07]"
     CHECK(total_weight(sky.lights) == Approx(sun + four_pi - texel).epsilon(1e-12));
 }
 
-TEST_CASE("A black environment is no error", "[environment][S09]") {
+TEST_CASE("S09 A black environment is no error", "[environment][S09]") {
     const Environment night = read(even_map(64, 32, 3, 0.0F));
     CHECK(night.report.brightest_share == 0.0);
     CHECK(total_weight(night.lights) == 0.0);

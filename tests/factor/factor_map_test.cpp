@@ -34,7 +34,7 @@ std::vector<double> one_peak(double peak) {
 
 }  // namespace
 
-TEST_CASE("a factor is divided by its largest visible texel", "[hard][F07]") {
+TEST_CASE("F07 a factor is divided by its largest visible texel", "[hard][F07]") {
     std::vector<double> logs(shape.texels(), 1.0);
     logs[centre_texel()] = 3.0;
     logs[0] = 50.0;  // a corner, which no pass shows
@@ -54,7 +54,7 @@ TEST_CASE("logarithms far outside the range of exp still make texels") {
           1.0);
 }
 
-TEST_CASE("an image has front and back face, binary alpha and one rounding", "[hard][T01]") {
+TEST_CASE("T01 an image has front and back face, binary alpha and one rounding", "[hard][T01]") {
     NormalisedChannel red = black_channel(shape);
     NormalisedChannel green = black_channel(shape);
     red.texel[texel_index({1, 16, 15}, shape)] = 1.0;
@@ -78,7 +78,7 @@ TEST_CASE("an image has front and back face, binary alpha and one rounding", "[h
     }
 }
 
-TEST_CASE("a maximum of 0 needs no division", "[hard][Q01]") {
+TEST_CASE("Q01 a maximum of 0 needs no division", "[hard][Q01]") {
     const FactorMap map = make_factor_map(
         {black_channel(shape), black_channel(shape), black_channel(shape)}, shape, "t1");
     CHECK(map.loss[0].levels == 0);
@@ -89,7 +89,7 @@ TEST_CASE("a maximum of 0 needs no division", "[hard][Q01]") {
     CHECK(split.warnings.empty());
 }
 
-TEST_CASE("the levels and zeros that one large texel leaves are counted", "[hard][Q02]") {
+TEST_CASE("Q02 the levels and zeros that one large texel leaves are counted", "[hard][Q02]") {
     // 255 v / 100 rounds to 0 below v = 0.196: (0.196 - 0.01) / 0.99 = 18.8 % of the rest.
     const ByteLoss hundred = byte_loss(one_peak(100.0), shape);
     CHECK(hundred.levels == 4);
@@ -99,7 +99,7 @@ TEST_CASE("the levels and zeros that one large texel leaves are counted", "[hard
     CHECK(ten_thousand.zero_share > 0.999);
 }
 
-TEST_CASE("the constant is split between colour, combiner and passes", "[hard][Q03]") {
+TEST_CASE("Q03 the constant is split between colour, combiner and passes", "[hard][Q03]") {
     struct Case {
         double c;
         int combiner_scale;
@@ -126,7 +126,7 @@ TEST_CASE("the constant is split between colour, combiner and passes", "[hard][Q
                       Contains("blue"));
 }
 
-TEST_CASE("a half step rounds up, once", "[hard][Q04]") {
+TEST_CASE("Q04 a half step rounds up, once", "[hard][Q04]") {
     for (int k = 0; k < 255; ++k) {
         const double tie = (k + 0.5) / 255.0;
         const double product = 255.0 * tie;
@@ -141,7 +141,7 @@ TEST_CASE("a half step rounds up, once", "[hard][Q04]") {
     CHECK(to_byte(-1.0) == 0);
 }
 
-TEST_CASE("a value that is not finite never reaches a byte", "[hard][Q06]") {
+TEST_CASE("Q06 a value that is not finite never reaches a byte", "[hard][Q06]") {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         std::vector<double> logs(shape.texels(), 0.0);

@@ -181,7 +181,7 @@ TEST_CASE("QMR and LSMR lead to the same factors") {
     CHECK(bytes_of(qmr.terms[0].t2) == bytes_of(lsmr.terms[0].t2));
 }
 
-TEST_CASE("one sample is reproduced and fills both maps", "[hard][F09]") {
+TEST_CASE("F09 one sample is reproduced and fills both maps", "[hard][F09]") {
     LightingSamples one = cases::samples_of({}, 1, 1);
     one.radiance[0] = Rgb(3.0, 0.25, 1.0);
     const FactoredLighting result = factorize(one, {}, map_of(8), 1.0, 1);
@@ -193,7 +193,7 @@ TEST_CASE("one sample is reproduced and fills both maps", "[hard][F09]") {
     CHECK(any_contains(result.warnings, "fewer than 10"));
 }
 
-TEST_CASE("an empty set of samples is refused", "[hard][F10]") {
+TEST_CASE("F10 an empty set of samples is refused", "[hard][F10]") {
     CHECK_THROWS_WITH(factorize({}, {}, map_of(8), 1.0, 1), Contains("no samples"));
     LightingSamples uneven = cases::samples_of({}, 10, 1);
     uneven.radiance.pop_back();
@@ -214,7 +214,8 @@ TEST_CASE("settings out of range are refused by name") {
     CHECK_THROWS_WITH(factorize(samples, {}, map_of(8), std::nan(""), 1), Contains("white"));
 }
 
-TEST_CASE("a black channel is 0 and leaves the others alone, byte for byte", "[hard][F11][Q01]") {
+TEST_CASE("F11 Q01 a black channel is 0 and leaves the others alone, byte for byte",
+          "[hard][F11][Q01]") {
     LightingSamples samples = cases::samples_of({}, 10000, 1);
     const FactoredLighting grey = factorize(samples, {}, map_of(8), 1.0, 2);
     for (Rgb& rgb : samples.radiance) rgb.x = 0.0;
@@ -236,7 +237,8 @@ TEST_CASE("a black channel is 0 and leaves the others alone, byte for byte", "[h
     CHECK(black.terms[0].scale_color == Rgb(0.0));
 }
 
-TEST_CASE("contradictory samples of one pair meet at their mean in the logarithm", "[hard][F12]") {
+TEST_CASE("F12 contradictory samples of one pair meet at their mean in the logarithm",
+          "[hard][F12]") {
     LightingSamples samples = cases::samples_of({}, 1, 1);
     samples.at.push_back(samples.at[0]);
     samples.radiance = {Rgb(1.0), Rgb(4.0)};
@@ -247,7 +249,7 @@ TEST_CASE("contradictory samples of one pair meet at their mean in the logarithm
     CHECK(drawn(result, samples.at[0], 0) == Approx(2.0).epsilon(1e-14));
 }
 
-TEST_CASE("constant radiance converges at the start with constant factors", "[hard][F23]") {
+TEST_CASE("F23 constant radiance converges at the start with constant factors", "[hard][F23]") {
     for (const double value : {1.0, std::exp(3.0)}) {
         for (const Solver solver : {Solver::qmr, Solver::lsmr}) {
             FactorSettings settings = map_of(8);
@@ -263,7 +265,7 @@ TEST_CASE("constant radiance converges at the start with constant factors", "[ha
     }
 }
 
-TEST_CASE("non-finite samples are left out and counted, channel by channel", "[hard][F02]") {
+TEST_CASE("F02 non-finite samples are left out and counted, channel by channel", "[hard][F02]") {
     LightingSamples samples = cases::samples_of({}, 5000, 1);
     samples.radiance[7].y = std::numeric_limits<double>::quiet_NaN();
     samples.radiance[8].y = -5.0;
@@ -275,7 +277,7 @@ TEST_CASE("non-finite samples are left out and counted, channel by channel", "[h
     for (const double texel : texels_of(result.terms[0].t1, 1)) CHECK(std::isfinite(texel));
 }
 
-TEST_CASE("without a regulariser 8 bits lose the picture, and the report says so",
+TEST_CASE("F20 Q02 without a regulariser 8 bits lose the picture, and the report says so",
           "[hard][F20][Q02]") {
     const auto radiance = [](const SurfaceView& at) { return Rgb(cases::sky_and_lamps(at)); };
     const LightingSamples fit = cases::samples_of_function(40000, 1, radiance);
@@ -308,7 +310,7 @@ TEST_CASE("without a regulariser 8 bits lose the picture, and the report says so
     }
 }
 
-TEST_CASE("the method to the letter warns that its factors are of no use in 8 bits",
+TEST_CASE("F20 the method to the letter warns that its factors are of no use in 8 bits",
           "[hard][F20]") {
     const FactoredLighting result = factored_phong(method_preset(Method::letter), 30000);
     CHECK(result.fit[0].solver.status == SolverStatus::limit);

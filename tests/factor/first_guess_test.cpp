@@ -50,7 +50,7 @@ double brute_force_fill(const Vector& x, const Vector& weight, std::size_t first
 
 }  // namespace
 
-TEST_CASE("untouched texels are filled by inverse distance and never own the maximum",
+TEST_CASE("F05 untouched texels are filled by inverse distance and never own the maximum",
           "[hard][F05]") {
     const FactorSettings settings = cases::unregularised(16, 0.875);
     const LightingSamples samples = cases::samples_of(cases::Phong{}, 3000, 1);

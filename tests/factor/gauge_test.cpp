@@ -28,7 +28,7 @@ LightingSamples two_clusters() {
 
 }  // namespace
 
-TEST_CASE("two disjoint patches of texels have a gauge each", "[hard][F08]") {
+TEST_CASE("F08 two disjoint patches of texels have a gauge each", "[hard][F08]") {
     const LightingSamples samples = two_clusters();
     REQUIRE(samples.at.size() > 500);
     const FactorSettings settings = cases::unregularised(16, 0.875);
@@ -53,7 +53,7 @@ TEST_CASE("two disjoint patches of texels have a gauge each", "[hard][F08]") {
     CHECK(told);
 }
 
-TEST_CASE("a third factor adds a second null vector, orthogonal to the first", "[hard][F07]") {
+TEST_CASE("F07 a third factor adds a second null vector, orthogonal to the first", "[hard][F07]") {
     FactorSettings settings;
     settings.map_size = 8;
     settings.view_knots = 24;

@@ -43,7 +43,7 @@ double log_range(std::span<const double> logs) {
 
 }  // namespace
 
-TEST_CASE("two samples of 1 and 1e8 are both kept, in the precision of floats", "[hard][F04]") {
+TEST_CASE("F04 two samples of 1 and 1e8 are both kept, in the precision of floats", "[hard][F04]") {
     LightingSamples samples;
     const Vec3 up{0.0, 0.0, 1.0}, side{1.0, 0.0, 0.0};
     samples.at = {{up, up}, {side, side}};
@@ -63,7 +63,7 @@ TEST_CASE("two samples of 1 and 1e8 are both kept, in the precision of floats", 
     CHECK(result.fit[0].counts.capped == 0);
 }
 
-TEST_CASE("regularised, no factor spans more than the samples do, however long one iterates",
+TEST_CASE("F06 regularised, no factor spans more than the samples do, however long one iterates",
           "[hard][F06]") {
     const LightingSamples samples = cases::samples_of({}, 8000, 1);
     for (const double smoothness : {0.3, 0.0}) {
@@ -92,7 +92,7 @@ TEST_CASE("regularised, no factor spans more than the samples do, however long o
     }
 }
 
-TEST_CASE("channels with different support are factored as if each were alone", "[hard][F13]") {
+TEST_CASE("F13 channels with different support are factored as if each were alone", "[hard][F13]") {
     LightingSamples samples = cases::samples_of({}, 8000, 1);
     for (std::size_t i = 0; i < samples.at.size(); ++i) {
         samples.radiance[i].y *= 0.25;
@@ -115,7 +115,8 @@ TEST_CASE("channels with different support are factored as if each were alone", 
     }
 }
 
-TEST_CASE("a byte that goes through the logarithm comes back as itself, all 256", "[hard][Q05]") {
+TEST_CASE("Q05 a byte that goes through the logarithm comes back as itself, all 256",
+          "[hard][Q05]") {
     const MapShape shape{16, 1.0};
     std::vector<double> logs(shape.texels(), 0.0);
     for (std::size_t b = 1; b < 256; ++b) logs[b] = exact::log(static_cast<double>(b) / 255.0);
@@ -127,7 +128,7 @@ TEST_CASE("a byte that goes through the logarithm comes back as itself, all 256"
     CHECK(to_byte(0.0) == 0);
 }
 
-TEST_CASE("a sun of 1e6, an exponent of 1e5 and a slope of 1e-3 leave finite factors",
+TEST_CASE("S03 S04 S06 a sun of 1e6, an exponent of 1e5 and a slope of 1e-3 leave finite factors",
           "[hard][S03][S04][S06]") {
     DistantLights lights;
     for (const Vec3 l : cases::many_lights()) lights.push_back(l, Rgb(0.1));
@@ -149,7 +150,7 @@ TEST_CASE("a sun of 1e6, an exponent of 1e5 and a slope of 1e-3 leave finite fac
     }
 }
 
-TEST_CASE("every preset reports that channels without finite or positive samples are that",
+TEST_CASE("F02 F11 every preset reports that channels without finite or positive samples are that",
           "[hard][F02][F11]") {
     LightingSamples samples = cases::samples_of({}, 6000, 1);
     const double nan = std::nan("");

@@ -158,7 +158,8 @@ TEST_CASE("One directional light gives f times cosine times its irradiance", "[l
     }
 }
 
-TEST_CASE("Under constant light a diffuse surface shows its albedo", "[lighting][S05][S08]") {
+TEST_CASE("S05 S08 Under constant light a diffuse surface shows its albedo",
+          "[lighting][S05][S08]") {
     const ModifiedPhong chalk{Rgb(0.8, 0.5, 0.2), Rgb(0.0), 1.0};
     const DistantLights sky = constant_environment(Rgb(2.0, 1.0, 0.5), 8192);
     for (const SurfaceView& at : surface_views(100, 0)) {
@@ -179,7 +180,7 @@ TEST_CASE("A disc of light about the normal gives pi sin^2 of its half angle", "
     }
 }
 
-TEST_CASE("Without lights, or with black ones, there is no radiance", "[lighting][S09]") {
+TEST_CASE("S09 Without lights, or with black ones, there is no radiance", "[lighting][S09]") {
     CHECK(same_bits(outgoing_radiance(copper(), DistantLights{}, {up, up}), Rgb(0.0)));
     const DistantLights night = constant_environment(Rgb(0.0), 8192);
     for (const Brdf& material : materials()) {

@@ -20,7 +20,7 @@ TEST_CASE("LSMR fits a line through four points") {
     CHECK(s.x[1] == Approx(1.4).epsilon(1e-13));
 }
 
-TEST_CASE("LSMR from the solution, and on a right side of zeros, takes 0 iterations",
+TEST_CASE("F23 LSMR from the solution, and on a right side of zeros, takes 0 iterations",
           "[hard][F23]") {
     const RectangularOperator a = cases::rectangular_operator({{1, 0}, {0, 2}, {0, 0}});
     const Solution exact = solve_lsmr(a, {3, 4, 5}, {3, 2}, {.tolerance = 1e-12});
@@ -33,7 +33,7 @@ TEST_CASE("LSMR from the solution, and on a right side of zeros, takes 0 iterati
     CHECK(zero.x == Vector{0, 0});
 }
 
-TEST_CASE("LSMR stays finite at both ends of the range of b", "[hard][F16]") {
+TEST_CASE("F16 LSMR stays finite at both ends of the range of b", "[hard][F16]") {
     const RectangularOperator a = cases::rectangular_operator({{1, 0}, {0, 2}});
     for (const double size : {1e-300, 1e300}) {
         const Solution s = solve_lsmr(a, {size, size}, {0, 0}, {.tolerance = 1e-12});

@@ -172,7 +172,8 @@ TEST_CASE("D02 a channel with a third of zeros is floored, and its factors are f
 }
 
 TEST_CASE(
-    "D03 a channel of 97.7 % zeros is partly unsupported: masked, and 0 where it has no support",
+    "F13 D03 a channel of 97.7 % zeros is partly unsupported: masked, and 0 where it has no "
+    "support",
     "[hard][D03][F13]") {
     // Blue has a value in the highlight only.
     const auto clipped = [](Vec3 wi, Vec3 wo) {

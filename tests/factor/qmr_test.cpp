@@ -112,7 +112,7 @@ struct PhongSystem {
 
 }  // namespace
 
-TEST_CASE("QMR ends as the table of ends and breakdowns says", "[hard][F14]") {
+TEST_CASE("F14 QMR ends as the table of ends and breakdowns says", "[hard][F14]") {
     const std::vector<End> table{
         {"b = 0", {{4, 1}, {1, 3}}, {0, 0}, Status::converged, 0, {0, 0}},
         {"regular", {{4, 1}, {1, 3}}, {1, 2}, Status::converged, 2, {1.0 / 11, 7.0 / 11}},
@@ -178,14 +178,14 @@ TEST_CASE("QMR ends as the table of ends and breakdowns says", "[hard][F14]") {
     }
 }
 
-TEST_CASE("QMR from the solution is converged in 0 iterations", "[hard][F14]") {
+TEST_CASE("F14 QMR from the solution is converged in 0 iterations", "[hard][F14]") {
     const Solution s = solve_qmr(cases::square_operator({{2, 0}, {0, 2}}), {2, 4}, {1, 2}, strict);
     CHECK(s.report.status == Status::converged);
     CHECK(s.report.iterations == 0);
     CHECK(s.x == Vector{1, 2});
 }
 
-TEST_CASE("QMR refuses input that is not finite before it begins", "[hard][F14]") {
+TEST_CASE("F14 QMR refuses input that is not finite before it begins", "[hard][F14]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const SquareOperator identity = cases::square_operator({{1, 0}, {0, 1}});
     const Solution bad_b = solve_qmr(identity, {nan, 1}, {3, 4}, strict);
@@ -195,7 +195,8 @@ TEST_CASE("QMR refuses input that is not finite before it begins", "[hard][F14]"
     CHECK(solve_qmr(identity, {1, 1}, {nan, 1}, strict).x == Vector{0, 0});
 }
 
-TEST_CASE("all 512,406 systems of entries -1, 0 and 1 end under the pinned names", "[hard][F15]") {
+TEST_CASE("F15 all 512,406 systems of entries -1, 0 and 1 end under the pinned names",
+          "[hard][F15]") {
     std::map<std::string, int> count;
     int unsound = 0;
     for_all_small_systems([&](const Dense& a, const SquareOperator& a_operator, const Vector& b) {
@@ -217,7 +218,7 @@ TEST_CASE("all 512,406 systems of entries -1, 0 and 1 end under the pinned names
                                               {"breakdown_xi", 52404}});
 }
 
-TEST_CASE("with exact-zero tests the 3 x 3 systems run into the limit and lose the residual",
+TEST_CASE("F15 with exact-zero tests the 3 x 3 systems run into the limit and lose the residual",
           "[hard][F15]") {
     // The mutant that the relative tests are there to beat; even it never claims convergence
     // falsely, because the residual is recomputed.
@@ -235,7 +236,8 @@ TEST_CASE("with exact-zero tests the 3 x 3 systems run into the limit and lose t
     CHECK(false_claims == 0);
 }
 
-TEST_CASE("a recurrence that has lost the residual does not count as converged", "[hard][F22]") {
+TEST_CASE("F22 a recurrence that has lost the residual does not count as converged",
+          "[hard][F22]") {
     const SquareOperator a = cases::square_operator({{1, 0, 0}, {1, -1, -1}, {-1, -1, -1}});
     const Solution relative = solve_qmr(a, {-1, -1, 0}, Vector(3, 0.0), strict);
     CHECK(relative.report.status != Status::converged);
@@ -246,7 +248,7 @@ TEST_CASE("a recurrence that has lost the residual does not count as converged",
     CHECK(mutant.report.relative_residual <= 1.0);
 }
 
-TEST_CASE("powers of two keep QMR exact at both ends of the exponent range", "[hard][F16]") {
+TEST_CASE("F16 powers of two keep QMR exact at both ends of the exponent range", "[hard][F16]") {
     const Solution tiny = solve_qmr(cases::square_operator({{1e-300, 0}, {0, 1e-300}}),
                                     {1e-300, 1e-300}, {0, 0}, strict);
     CHECK(tiny.report.status == Status::converged);
@@ -254,7 +256,7 @@ TEST_CASE("powers of two keep QMR exact at both ends of the exponent range", "[h
     CHECK(tiny.x == Vector{1, 1});
 }
 
-TEST_CASE("QMR reports a result beyond the range and stores no infinity", "[hard][F17]") {
+TEST_CASE("F17 QMR reports a result beyond the range and stores no infinity", "[hard][F17]") {
     const Solution huge =
         solve_qmr(cases::square_operator({{1e200, 0}, {0, 2e200}}), {1e200, 1e200}, {0, 0}, strict);
     CHECK(huge.report.status == Status::converged);
@@ -268,7 +270,7 @@ TEST_CASE("QMR reports a result beyond the range and stores no infinity", "[hard
     CHECK(beyond.x == Vector{0, 0});
 }
 
-TEST_CASE("each scalar that vanishes has its own name", "[hard][F14]") {
+TEST_CASE("F14 each scalar that vanishes has its own name", "[hard][F14]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto of = [](QmrScalars s) { return breakdown_of(s, 1e-12); };
     CHECK_FALSE(of({}).has_value());
@@ -318,7 +320,7 @@ TEST_CASE("one product an iteration gives a symmetric system the bits of two") {
     CHECK(one.report.history == two.report.history);
 }
 
-TEST_CASE("the iteration limit is a named end with the best iterate", "[hard][F19]") {
+TEST_CASE("F19 the iteration limit is a named end with the best iterate", "[hard][F19]") {
     FactorSettings settings;
     settings.map_size = 24;
     const PhongSystem system(settings, 30000);
@@ -331,7 +333,7 @@ TEST_CASE("the iteration limit is a named end with the best iterate", "[hard][F1
     CHECK(s.report.history.size() == 4);
 }
 
-TEST_CASE("without column scaling QMR stagnates, with it it converges", "[hard][F18]") {
+TEST_CASE("F18 without column scaling QMR stagnates, with it it converges", "[hard][F18]") {
     FactorSettings settings = cases::unregularised(16, 0.875);
     settings.column_scaling = false;
     const StopRule rule{.tolerance = 1e-12, .iteration_limit = 1500};
@@ -349,7 +351,7 @@ TEST_CASE("without column scaling QMR stagnates, with it it converges", "[hard][
     CHECK(solved.report.iterations < 120);
 }
 
-TEST_CASE("run on past convergence QMR neither diverges nor gets worse", "[hard][F21]") {
+TEST_CASE("F21 run on past convergence QMR neither diverges nor gets worse", "[hard][F21]") {
     const PhongSystem system(cases::unregularised(16, 0.875), 30000);
     const Solution good = system.solved({.tolerance = 1e-10, .iteration_limit = 1000});
     const Solution forced = system.solved({.tolerance = 0.0, .iteration_limit = 1000});
@@ -360,7 +362,8 @@ TEST_CASE("run on past convergence QMR neither diverges nor gets worse", "[hard]
     CHECK(forced.report.iterations < 1000);
 }
 
-TEST_CASE("unguarded QMR runs off along the null vector, the guarded one does not", "[hard][F21]") {
+TEST_CASE("F21 unguarded QMR runs off along the null vector, the guarded one does not",
+          "[hard][F21]") {
     // Once D is multiplied into the stored matrix, rounding gives the null vector an eigenvalue of
     // 1e-16 squared, and an iteration that goes on long enough finds it.
     const PhongSystem system(cases::unregularised(16, 0.875), 30000);
@@ -390,7 +393,7 @@ TEST_CASE("unguarded QMR runs off along the null vector, the guarded one does no
     CHECK(guarded.report.iterations < 200);
 }
 
-TEST_CASE("starts that differ by the gauge give the same factors", "[hard][F07]") {
+TEST_CASE("F07 starts that differ by the gauge give the same factors", "[hard][F07]") {
     FactorSettings settings;
     settings.map_size = 8;
     const PhongSystem system(settings, 5000);

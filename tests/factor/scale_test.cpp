@@ -54,7 +54,7 @@ TEST_CASE("a percentile takes the brightest texels down and says how many") {
     CHECK(factored(settings_of(ScaleRule::maximum), 4.0).terms[0].t1.loss[0].clipped_share == 0.0);
 }
 
-TEST_CASE("the best split needs no doubling pass where the maxima alone do", "[hard][Q03]") {
+TEST_CASE("Q03 the best split needs no doubling pass where the maxima alone do", "[hard][Q03]") {
     // Most of the product is below white; only the maxima of the two maps together exceed it.
     for (const double white : {0.6, 1.0, 4.0}) {
         const FactoredLighting maximum = factored(settings_of(ScaleRule::maximum), white);
@@ -66,7 +66,7 @@ TEST_CASE("the best split needs no doubling pass where the maxima alone do", "[h
     }
 }
 
-TEST_CASE("a black channel leaves the best split of the others alone", "[hard][F11]") {
+TEST_CASE("F11 a black channel leaves the best split of the others alone", "[hard][F11]") {
     LightingSamples samples = cases::samples_of({}, 8000, 1);
     const FactorSettings settings = settings_of(ScaleRule::best_split);
     const FactoredLighting grey = factorize(samples, {}, settings, 1.0, 2);

@@ -129,7 +129,7 @@ TEST_CASE("the augmented system needs more iterations than the normal equations"
     CHECK(augmented.report.iterations < 3 * normal.report.iterations);
 }
 
-TEST_CASE("CGLS fits a line through four points and survives constant data", "[hard][F23]") {
+TEST_CASE("F23 CGLS fits a line through four points and survives constant data", "[hard][F23]") {
     const RectangularOperator line = cases::rectangular_operator({{1, 1}, {1, 2}, {1, 3}, {1, 4}});
     const Solution s = solve(Solver::cgls, {line, {6, 5, 7, 10}}, {0, 0}, {.tolerance = 1e-12});
     CHECK(s.report.status == SolverStatus::converged);
@@ -141,7 +141,8 @@ TEST_CASE("CGLS fits a line through four points and survives constant data", "[h
     CHECK(zero.x == Vector{0, 0});
 }
 
-TEST_CASE("right sides of zeros and non-finite ones end by name in every solver", "[hard][F14]") {
+TEST_CASE("F14 right sides of zeros and non-finite ones end by name in every solver",
+          "[hard][F14]") {
     const RectangularOperator a = cases::rectangular_operator({{1, 0}, {0, 2}, {0, 0}});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Solver solver : solvers) {

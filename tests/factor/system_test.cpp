@@ -54,7 +54,7 @@ TEST_CASE("a sample row holds the weights of the normal, then those of the refle
     }
 }
 
-TEST_CASE("moving a factor from one map to the other changes no row", "[hard][F07]") {
+TEST_CASE("F07 moving a factor from one map to the other changes no row", "[hard][F07]") {
     const LogRows rows = log_rows(surface_views(500, 1), small_settings());
     CHECK(largest_magnitude(rows.matrix.multiply(gauge(rows.matrix.columns()), 1)) < 1e-14);
 }
@@ -80,7 +80,7 @@ TEST_CASE("smoothness rows compare a texel with the mean of its neighbours in th
     CHECK(inner[4].value == -scale / 4.0);
 }
 
-TEST_CASE("seam rows tie each texel beyond the rim to the other face", "[hard][T01]") {
+TEST_CASE("T01 seam rows tie each texel beyond the rim to the other face", "[hard][T01]") {
     FactorSettings settings = small_settings();
     settings.seam = 0.3;
     const LogRows rows = log_rows(surface_views(512, 1), settings);
@@ -120,7 +120,7 @@ TEST_CASE("on a cube every texel has four neighbours, and seam rows join edges p
     }
 }
 
-TEST_CASE("zero radiance is raised to the floor and counted", "[hard][F01]") {
+TEST_CASE("F01 zero radiance is raised to the floor and counted", "[hard][F01]") {
     std::vector<double> radiance(1000, 2.0);
     radiance[17] = 0.0;
     const ChannelRows rows = treat(radiance, small_settings(), 10.0);
@@ -137,7 +137,7 @@ TEST_CASE("zero radiance is raised to the floor and counted", "[hard][F01]") {
     CHECK(all_finite(lonely.right_side));
 }
 
-TEST_CASE("negative radiance is raised to the floor, counted and never in the mean",
+TEST_CASE("F02 negative radiance is raised to the floor, counted and never in the mean",
           "[hard][F02]") {
     std::vector<double> radiance(100, 1.0);
     radiance[0] = -1e-30;
@@ -191,7 +191,7 @@ TEST_CASE("row weights are a power of radiance over its mean, 1 for the rows of 
     CHECK(rows.weight.back() == 1.0);
 }
 
-TEST_CASE("an all black channel takes no logarithm", "[hard][F11]") {
+TEST_CASE("F11 an all black channel takes no logarithm", "[hard][F11]") {
     const ChannelRows rows = treat(std::vector<double>(100, 0.0), small_settings(), 1.0);
     CHECK(rows.black());
     CHECK(rows.treated.zero == 100);
@@ -219,7 +219,7 @@ TEST_CASE("column scaling makes every column of the weighted system a unit vecto
     CHECK(std::fabs(dot(g, system.scaled_unknowns(x))) < 1e-11 * norm(g));
 }
 
-TEST_CASE("balancing gives both maps one mean and keeps their sums", "[hard][F07]") {
+TEST_CASE("F07 balancing gives both maps one mean and keeps their sums", "[hard][F07]") {
     const SparseMatrix rows(4, {0, 2, 4, 6},
                             {{0, 1.0}, {2, 1.0}, {1, 1.0}, {3, 1.0}, {0, 1.0}, {3, 1.0}});
     const Gauge gauge(rows, Vector(3, 1.0), {0, 2, 4});

@@ -155,10 +155,10 @@ TRIANGLES = [
 FACTORS = [
     factor("qmr-breakdown", "breakdowns are found by exact zeros", "qmr.cpp",
            "if (std::fabs(s.delta) <= t) return", "if (std::fabs(s.delta) <= 0.0) return", "qmr",
-           only="QMR ends*,all 512*"),
+           only="*QMR ends*,*all 512*"),
     factor("qmr-residual", "the recurrence's residual is believed", "qmr.cpp",
            "if (!progress.prefers(true_residual, start_residual)) {", "if (false) {", "qmr",
-           only="a recurrence*,all 512*"),
+           only="*a recurrence*,*all 512*"),
     factor("lsmr-rotation", "a rotation of LSMR has the wrong sign", "lsmr.cpp",
            "zeta_bar_ = -s_bar_ * zeta_bar_;", "zeta_bar_ = s_bar_ * zeta_bar_;", "lsmr", "solve"),
     factor("row-weight", "samples are weighted by the wrong mean", "system.cpp",

@@ -11,7 +11,7 @@ using namespace twofold;
 using namespace twofold::test;
 }  // namespace
 
-TEST_CASE("T13a the pole of the other hemisphere's map lets a shortened normal pass",
+TEST_CASE("T13 T13a the pole of the other hemisphere's map lets a shortened normal pass",
           "[hard][T13]") {
     const auto drawn = [](Vec3 normal, Preset preset) {
         Mesh mesh = rectangle(0, 0, 2, 2);
@@ -107,7 +107,8 @@ std::map<int, int> passes_per_pixel(int n, int size, Preset preset) {
 
 }  // namespace
 
-TEST_CASE("T13b the antipole ghost of coarse spheres is painted, pixel for pixel", "[hard][T13]") {
+TEST_CASE("T13 T13b the antipole ghost of coarse spheres is painted, pixel for pixel",
+          "[hard][T13]") {
     struct Pinned {
         Preset preset;
         std::array<int, 3> ghosts;  ///< for N = 3, 5 and 41

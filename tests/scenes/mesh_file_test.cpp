@@ -136,7 +136,7 @@ TEST_CASE("tinyobjloader reads the same teapot", "[mesh]") {
     }
 }
 
-TEST_CASE("inverted winding is reported with its sign and nothing is flipped",
+TEST_CASE("D09 inverted winding is reported with its sign and nothing is flipped",
           "[mesh][hard][D09]") {
     Mesh mesh = read_ply(product_mesh("teapot.ply"));
     const MeshReport upright = inspect(mesh);
@@ -149,7 +149,7 @@ TEST_CASE("inverted winding is reported with its sign and nothing is flipped",
     CHECK(mirrored.boundary_edges == upright.boundary_edges);
 }
 
-TEST_CASE("degenerate triangles are counted and give no NaN", "[mesh][hard][D10]") {
+TEST_CASE("D10 degenerate triangles are counted and give no NaN", "[mesh][hard][D10]") {
     const Mesh mesh = obj(pole_mesh(40));
     const MeshReport report = inspect(mesh);
     CHECK(report.triangles == 160);
@@ -161,7 +161,7 @@ TEST_CASE("degenerate triangles are counted and give no NaN", "[mesh][hard][D10]
     CHECK(inspect(point).degenerate == 1);
 }
 
-TEST_CASE("open and non-manifold edges are counted", "[mesh][hard][D11]") {
+TEST_CASE("D11 open and non-manifold edges are counted", "[mesh][hard][D11]") {
     CHECK(inspect(obj(three_points + "f 1 2 3\n")).boundary_edges == 3);
     const MeshReport fins =
         inspect(obj(three_points + "v 0 0 1\nv 0 1 1\nf 1 2 3\nf 1 2 4\nf 2 1 5\n"));
@@ -169,7 +169,7 @@ TEST_CASE("open and non-manifold edges are counted", "[mesh][hard][D11]") {
     CHECK(fins.boundary_edges == 6);
 }
 
-TEST_CASE("missing normals follow the stated rule, bit by bit", "[mesh][hard][D11]") {
+TEST_CASE("D11 missing normals follow the stated rule, bit by bit", "[mesh][hard][D11]") {
     const Mesh cube =
         obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
             "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
@@ -189,7 +189,7 @@ TEST_CASE("missing normals follow the stated rule, bit by bit", "[mesh][hard][D1
     CHECK(hash_of_normals(teapot) == 0x7baffc7d1b4a33c2);
 }
 
-TEST_CASE("an index that is zero or beyond its list names its line", "[mesh][hard][D12]") {
+TEST_CASE("D12 an index that is zero or beyond its list names its line", "[mesh][hard][D12]") {
     for (const std::string index :
          {"0", "4", "-4", "2147483648", "99999999999999999999", "-2147483649", "1.5", "x", "1/1",
           "1//1", "1/2/3/4", "1/", "/1", "--1", "+-1"}) {
@@ -200,7 +200,8 @@ TEST_CASE("an index that is zero or beyond its list names its line", "[mesh][har
     CHECK(obj("f 1 2 3\n" + three_points).indices.size() == 3);
 }
 
-TEST_CASE("faces of 2 corners are refused and faces of 1,000 become a fan", "[mesh][hard][D12]") {
+TEST_CASE("D12 faces of 2 corners are refused and faces of 1,000 become a fan",
+          "[mesh][hard][D12]") {
     CHECK_THROWS_WITH(obj(three_points + "f 1 2\n"), Contains("mesh:4: a face of 2 corners"));
     CHECK_THROWS_WITH(obj(three_points), Contains("no faces"));
     std::string text;
@@ -218,7 +219,7 @@ TEST_CASE("faces of 2 corners are refused and faces of 1,000 become a fan", "[me
     }
 }
 
-TEST_CASE("numbers are read whole or refused with their line", "[mesh][hard][D12]") {
+TEST_CASE("D12 numbers are read whole or refused with their line", "[mesh][hard][D12]") {
     for (const std::string number : {"1e999", "-1e999", "nan", "inf", "1,5", "0x10", "1e", ".", "-",
                                      "1.2.3", "1e5x", "\xff"}) {
         CAPTURE(number);
@@ -255,7 +256,7 @@ TEST_CASE("an ascii PLY file of any face size and other elements is read", "[mes
     CHECK(ply(with_more).positions.size() == 3);
 }
 
-TEST_CASE("a PLY file that is damaged says how", "[mesh][hard][D12]") {
+TEST_CASE("D12 a PLY file that is damaged says how", "[mesh][hard][D12]") {
     const std::string points = "0 0 0 1 0 0 0 1 0 ";
     CHECK_THROWS_WITH(ply(ascii_ply(3, 1, points + "3 0 1 3")), Contains("face 0: index 3 into 3"));
     CHECK_THROWS_WITH(ply(ascii_ply(3, 1, points + "3 0 1 -1")), Contains("index -1"));
@@ -273,14 +274,14 @@ TEST_CASE("a PLY file that is damaged says how", "[mesh][hard][D12]") {
     CHECK_THROWS_WITH(ply("solid"), Contains("not a PLY file"));
 }
 
-TEST_CASE("a Git LFS pointer in place of a mesh is named as such", "[mesh][hard][D04]") {
+TEST_CASE("D04 a Git LFS pointer in place of a mesh is named as such", "[mesh][hard][D04]") {
     const std::string pointer =
         "version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 9\n";
     CHECK_THROWS_WITH(obj(pointer), Contains("Git LFS pointer"));
     CHECK_THROWS_WITH(ply(pointer), Contains("Git LFS pointer"));
 }
 
-TEST_CASE("a binary PLY file truncated anywhere is an error", "[mesh][hard][D12]") {
+TEST_CASE("D12 a binary PLY file truncated anywhere is an error", "[mesh][hard][D12]") {
     const std::string whole = read_text_file(product_mesh("teapot.ply"), 1 << 20);
     REQUIRE(can_be_read(read_ply, whole));
     for (std::size_t length = 0; length < whole.size(); length += length < 400 ? 1 : 97)
@@ -288,7 +289,7 @@ TEST_CASE("a binary PLY file truncated anywhere is an error", "[mesh][hard][D12]
     CHECK_FALSE(can_be_read(read_ply, whole.substr(0, whole.size() - 1)));
 }
 
-TEST_CASE("a mesh file with one changed byte is a mesh or an error", "[mesh][hard][D12]") {
+TEST_CASE("D12 a mesh file with one changed byte is a mesh or an error", "[mesh][hard][D12]") {
     const std::string points = "0 0 0 1 0 0 0 1 0 ";
     std::string as_ply = ascii_ply(3, 1, points + "3 0 1 2\n");
     std::string as_obj = three_points + "vt 0 1\nvn 0 0 1\nf 1/1/1 2/1/1 -1//-1\n";

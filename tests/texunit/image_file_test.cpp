@@ -200,7 +200,7 @@ TEST_CASE("a PFM file is turned top down and its scale multiplied in", "[image_f
     CHECK(ppm.samples == std::vector<float>{1.0F, 0.2F, 0.4F, 0.6F, 0.8F, 1.0F});
 }
 
-TEST_CASE("EXPOSURE and GAMMA are reported and never applied", "[image_file][hard][D05]") {
+TEST_CASE("D05 EXPOSURE and GAMMA are reported and never applied", "[image_file][hard][D05]") {
     const std::vector<float> stored{1.0F, 0.5F, 0.25F, 1.0F, 0.5F, 0.25F};
     const ReadImage plain = read_float_image(file_of(hdr_with("")));
     CHECK(plain.image.samples == stored);
@@ -223,7 +223,7 @@ TEST_CASE("a product environment has the size and the maximum of its provenance"
     CHECK(*std::max_element(image.samples.begin(), image.samples.end()) == 104.5F);
 }
 
-TEST_CASE("sizes that are not powers of two and four channels are read",
+TEST_CASE("D08 sizes that are not powers of two and four channels are read",
           "[image_file][hard][D08]") {
     const FloatImage image{1000, 500, 4, std::vector<float>(2'000'000, 0.25F)};
     const FloatImage read = read_float_image(file_of(encode_exr(image))).image;
@@ -232,7 +232,7 @@ TEST_CASE("sizes that are not powers of two and four channels are read",
     CHECK(read.channels == 4);
 }
 
-TEST_CASE("a file that is no picture is named with the reason", "[image_file][hard][D04]") {
+TEST_CASE("D04 a file that is no picture is named with the reason", "[image_file][hard][D04]") {
     CHECK_THROWS_WITH(read_float_image(folder() / "none.hdr"),
                       Contains("none.hdr: cannot open: No such file"));
     CHECK_THROWS_WITH(read_float_image(file_of(""s)), Contains("picture: empty file"));

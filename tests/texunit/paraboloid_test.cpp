@@ -58,7 +58,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("on the great circle z = 0 plus and minus zero choose the front face alone",
+TEST_CASE("T01 on the great circle z = 0 plus and minus zero choose the front face alone",
           "[hard][T01]") {
     for (int i = 0; i < 4096; ++i) {
         const double phi = 2.0 * exact::pi * i / 4096.0;
@@ -69,7 +69,7 @@ TEST_CASE("on the great circle z = 0 plus and minus zero choose the front face a
     }
 }
 
-TEST_CASE("every direction of a face finds alpha 1 in its whole bilinear footprint",
+TEST_CASE("T01 every direction of a face finds alpha 1 in its whole bilinear footprint",
           "[hard][T01]") {
     for (const int size : {4, 16, 33, 64}) {
         for (const double guard : {0.5, 0.875, (size - 1.0) / size, 1.0}) {
