@@ -55,6 +55,17 @@ struct CompareOptions {
 };
 ExitCode compare_command(const CompareOptions& options, const CommonOptions& common);
 
+struct StudyOptions {
+    std::string scene;
+    std::string output;
+    std::string study;  ///< a study file; empty = a shipped one
+    bool quick = false, full = false;  ///< which shipped one; neither = quick
+    std::string shard;  ///< PART/PARTS; empty = all cells
+    std::vector<std::string> merge;  ///< folders whose cells are taken over; nothing is measured
+    bool list = false;               ///< only print the cells
+};
+ExitCode study_command(const StudyOptions& options, const CommonOptions& common);
+
 struct ExplainOptions {
     std::string scene;
     std::string preset;

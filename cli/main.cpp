@@ -20,6 +20,7 @@ struct Options {
     RenderOptions render;
     CompareOptions compare;
     ExplainOptions explain;
+    StudyOptions study;
 };
 
 void add_common(CLI::App& command, CommonOptions& common, bool reads_scene) {
@@ -98,11 +99,32 @@ void define_explain(CLI::App& app, Options& o) {
     c->footer("Example: twofold explain --preset nv17");
 }
 
+void define_study(CLI::App& app, Options& o) {
+    auto* c = app.add_subcommand("study", "What accuracy costs in time: a sweep and its report");
+    c->add_option("SCENE", o.study.scene, "Scene file")->required();
+    c->add_option("-o,--output", o.study.output, "Folder for cells, tables, figures, report.html")
+        ->required();
+    auto* file = c->add_option("--study", o.study.study, "Study file: the cells to be measured");
+    auto* quick = c->add_flag("--quick", o.study.quick, "The shipped quick study: the default");
+    quick->excludes(file);
+    c->add_flag("--full", o.study.full, "The shipped full study")->excludes(file)->excludes(quick);
+    auto* shard = c->add_option("--shard", o.study.shard,
+                                "PART/PARTS: measure every PARTS-th cell, and write no report");
+    c->add_option("--merge", o.study.merge, "Folders of shards: collect their cells, and report")
+        ->excludes(shard);
+    c->add_flag("--list", o.study.list, "Only print the cells and whether they are measured");
+    add_common(*c, o.common, true);
+    c->footer(
+        "Example: twofold study scenes/gold-suzanne.json -o study-out\n"
+        "Measured cells are kept: after an interruption the same command goes on.");
+}
+
 ExitCode dispatch(const CLI::App& app, const Options& o) {
     if (app.got_subcommand("run")) return run_command(o.run, o.common);
     if (app.got_subcommand("factor")) return factor_command(o.factor, o.common);
     if (app.got_subcommand("render")) return render_command(o.render, o.common);
     if (app.got_subcommand("compare")) return compare_command(o.compare, o.common);
+    if (app.got_subcommand("study")) return study_command(o.study, o.common);
     return explain_command(o.explain, o.common);
 }
 
@@ -138,6 +160,7 @@ int main(int argc, char** argv) try {
     define_render(app, options);
     define_compare(app, options);
     define_explain(app, options);
+    define_study(app, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

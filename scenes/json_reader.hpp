@@ -42,9 +42,13 @@ class JsonValue {
     bool is_null() const { return json_->is_null(); }
     bool is_object() const { return json_->is_object(); }
     bool is_list() const { return json_->is_array(); }
+    bool is_number() const { return json_->is_number(); }
+    bool is_text() const { return json_->is_string(); }
 
     /// The value as error texts show it.
     std::string shown() const;
+    /// The value as JSON on one line.
+    std::string dump() const { return json_->dump(); }
 
     double number(Range range) const;
     int integer(int low, int high) const;

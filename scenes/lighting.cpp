@@ -137,31 +137,53 @@ double white_radiance(const WhitePoint& white,
     return value > 0.0 ? value : 1.0;
 }
 
-LitScene light_scene(const Scene& scene, int threads, const StepListener& listen) {
-    LitScene lit;
-    if (scene.objects.empty()) return lit;
+SampledScene sample_scene(const Scene& scene, int threads, const StepListener& listen) {
+    SampledScene sampled;
+    if (scene.objects.empty()) return sampled;
     listen("environment");
-    lit.lights = make_lights(scene);
+    sampled.lights = make_lights(scene);
+    sampled.about_maps = lights_about_maps(scene, sampled.lights.lights);
     const FactorSettings& settings = scene.factorization;
     listen("materials");
-    lit.brdfs = used_materials(scene, threads);
-    const DistantLights lights = lights_about_maps(scene, lit.lights.lights);
-    std::map<std::string, MaterialSamples> samples;
-    for (const auto& [name, brdf] : lit.brdfs) {
+    sampled.brdfs = used_materials(scene, threads);
+    for (const auto& [name, brdf] : sampled.brdfs) {
         listen("sample " + name);
-        samples[name] = {sample(brdf, lights, settings.samples, fit_sequence, threads),
-                         sample(brdf, lights, settings.held_out, held_out_sequence, threads)};
+        sampled.samples[name] = {
+            sample(brdf, sampled.about_maps, settings.samples, fit_sequence, threads),
+            sample(brdf, sampled.about_maps, settings.held_out, held_out_sequence, threads)};
     }
-    lit.white = white_radiance(scene.white, samples);
-    for (const auto& [name, s] : samples) {
+    return sampled;
+}
+
+SampledScene first_samples(const SampledScene& sampled, int count) {
+    SampledScene result = sampled;
+    const auto wanted = static_cast<std::size_t>(count);
+    for (auto& [name, samples] : result.samples) {
+        samples.fit.at.resize(std::min(samples.fit.at.size(), wanted));
+        samples.fit.radiance.resize(samples.fit.at.size());
+    }
+    return result;
+}
+
+LitScene factor_scene(const Scene& scene, const SampledScene& sampled, double white, int threads,
+                      const StepListener& listen) {
+    LitScene lit{sampled.lights, white, sampled.brdfs, {}};
+    const FactorSettings& settings = scene.factorization;
+    for (const auto& [name, s] : sampled.samples) {
         listen("factor " + name);
         FactoredLighting lighting =
-            approximate(lit.brdfs.at(name), lights, s, settings, lit.white, threads);
+            approximate(lit.brdfs.at(name), sampled.about_maps, s, settings, lit.white, threads);
         for (std::string& w : sampling_warnings(lit.brdfs.at(name), settings.map_size))
             lighting.warnings.push_back(std::move(w));
         lit.materials.emplace(name, std::move(lighting));
     }
     return lit;
+}
+
+LitScene light_scene(const Scene& scene, int threads, const StepListener& listen) {
+    const SampledScene sampled = sample_scene(scene, threads, listen);
+    return factor_scene(scene, sampled, white_radiance(scene.white, sampled.samples), threads,
+                        listen);
 }
 
 }  // namespace twofold

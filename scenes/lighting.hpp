@@ -37,6 +37,20 @@ double averaging_cost(const Scene& scene, const SceneLights& lights, const Brdf&
 double white_radiance(const WhitePoint& white,
                       const std::map<std::string, MaterialSamples>& samples);
 
+/// What precedes every fit: lights, BRDFs and samples of the lighting functions.
+struct SampledScene {
+    SceneLights lights;
+    DistantLights about_maps;           ///< the same in the frame of the maps
+    std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
+    std::map<std::string, MaterialSamples> samples;
+};
+
+/// Samples the materials that objects use, as many times as the scene's factorization says.
+SampledScene sample_scene(const Scene& scene, int threads, const StepListener& listen);
+
+/// The first `count` samples of each fit: those that a scene with that many has itself.
+SampledScene first_samples(const SampledScene& sampled, int count);
+
 /// A scene that is ready to be drawn.
 struct LitScene {
     SceneLights lights;
@@ -44,6 +58,11 @@ struct LitScene {
     std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     FactoredMaterials materials;
 };
+
+/// Factors what was sampled by the scene's settings.
+/// @param white radiance that pictures show as 1
+LitScene factor_scene(const Scene& scene, const SampledScene& sampled, double white, int threads,
+                      const StepListener& listen);
 
 /// Runs all of it for the materials that objects use.
 LitScene light_scene(const Scene& scene, int threads, const StepListener& listen);

@@ -36,4 +36,10 @@ std::vector<bool> outline_pixels(const Frame& frame, const VisibleSurface& fine,
     return outline;
 }
 
+ByteImage without_outline(ByteImage picture, const std::vector<bool>& outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        if (outline[i]) picture.pixels[i].a = 0;
+    return picture;
+}
+
 }  // namespace twofold

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "raster/visible_surface.hpp"
+#include "texunit/texture.hpp"
 
 namespace twofold {
 
@@ -12,5 +13,9 @@ namespace twofold {
 /// @param fine  the frame's surface on ideal64's grid
 /// @return one value a pixel, rows top down
 std::vector<bool> outline_pixels(const Frame& frame, const VisibleSurface& fine, SnapRule snap);
+
+/// The picture as if nothing were drawn at the pixels of the outline, so that they count as
+/// differing in coverage.
+ByteImage without_outline(ByteImage picture, const std::vector<bool>& outline);
 
 }  // namespace twofold

@@ -67,15 +67,6 @@ std::map<std::string, std::vector<bool>> outlines_of(const Scene& scene,
     return outlines;
 }
 
-/// The picture as if nothing were drawn at the pixels of the outline, so that they count as
-/// differing in coverage.
-ByteImage without_outline(const RunPicture& picture, const std::vector<bool>& outline) {
-    ByteImage image = byte_image(picture.picture);
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        if (outline[i]) image.pixels[i].a = 0;
-    return image;
-}
-
 /// Whether there is more to see than objects.
 bool draws_more(const Scene& scene) { return !scene.passes.empty() || !scene.historical.empty(); }
 
@@ -89,8 +80,9 @@ void compare_all(RunResult& run, std::map<std::string, std::vector<bool>> outlin
                 if (b.name == reference && a.name != "exact" && a.name != reference)
                     run.comparisons.push_back(
                         {a.name, b.name,
-                         difference_where_covered(without_outline(a, outlines[a.name]),
-                                                  byte_image(b.picture))});
+                         difference_where_covered(
+                             without_outline(byte_image(a.picture), outlines[a.name]),
+                             byte_image(b.picture))});
     }
 }
 

@@ -1,0 +1,131 @@
+#include "study/sweep/laboratory.hpp"
+
+#include "study/pictures.hpp"
+#include "study/results_json.hpp"
+#include "study/run.hpp"
+#include "study/sweep/cell_names.hpp"
+#include "study/sweep/errors.hpp"
+#include "study/sweep/work.hpp"
+#include "texunit/error.hpp"
+
+namespace twofold {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const CellErrors& e) {
+    Json json = to_json(e.steps);
+    json["real_rms_steps"] = e.real_rms_steps;
+    json["relative_rms"] = e.relative_rms;
+    json["clipped_share"] = e.clipped_share;
+    json["vanished_share"] = e.vanished_share;
+    return json;
+}
+
+/// Null where there is no reference, or no pixel that both show.
+Json errors_json(const Framebuffer& picture, const std::shared_ptr<const Framebuffer>& reference,
+                 const std::vector<bool>& outline) {
+    if (!reference) return nullptr;
+    const CellErrors errors = errors_between(picture, *reference, outline);
+    return errors.steps.pixels_compared > 0 ? to_json(errors) : Json(nullptr);
+}
+
+Json to_json(const Seconds& s) { return {{"processor", s.processor}, {"wall", s.wall}}; }
+
+Json to_json(const Spread& s) { return {{"median", s.median}, {"quartiles", {s.low, s.high}}}; }
+
+Json to_json(const FrameTimes& t) {
+    return {{"rounds", t.rounds},
+            {"processor", to_json(t.processor)},
+            {"wall", to_json(t.wall)},
+            {"anchor_processor", to_json(t.anchor_processor)},
+            {"ratio_to_anchor", t.ratio}};
+}
+
+Json to_json(const FrameWork& w) {
+    return {{"passes", w.passes},
+            {"texture_bytes", w.texture_bytes},
+            {"vertices", w.vertices},
+            {"fragments", w.fragments},
+            {"alpha_failed", w.alpha_failed},
+            {"depth_failed", w.depth_failed},
+            {"written", w.written},
+            {"texel_fetches", w.texel_fetches}};
+}
+
+Json to_json(const CardPrediction& p) {
+    return {{"fill_seconds", p.fill_seconds},
+            {"memory_seconds", p.memory_seconds},
+            {"seconds", p.seconds}};
+}
+
+/// What is drawn and how, in the names of study files.
+Json settings_json(const Cell& cell) {
+    const Preset preset = cell.scene.presets.front();
+    return {{"preset", name_of(preset)},
+            {"preset_version", version_of(preset)},
+            {"technique", scene_io::name_in(technique_names, cell.draw.technique)},
+            {"way", scene_io::name_in(draw_way_names, cell.draw.way)},
+            {"filter", scene_io::name_in(texel_filter_names, cell.draw.filter)}};
+}
+
+/// Work and prediction; the card holds bytes, so presets that hold floats have no prediction.
+void put_work(Json& result, const Cell& cell, const Drawing& drawing) {
+    const Preset preset = cell.scene.presets.front();
+    if (!drawing.frame) {
+        result["work"] = nullptr;
+        result["card"] = nullptr;
+        return;
+    }
+    const FrameWork work = work_of(*drawing.frame, preset, cell.scene.custom);
+    const bool on_card = !samples_float_textures(preset);
+    result["work"] = to_json(work);
+    result["card"] = on_card ? to_json(predict(work, *drawing.frame, mx440_8x)) : Json(nullptr);
+}
+
+}  // namespace
+
+Laboratory::Laboratory(Cell anchor, int samples, TimingRule rule, int threads, StepListener listen)
+    : anchor_(std::move(anchor)), rule_(rule), shared_(samples, threads, std::move(listen)) {}
+
+const Drawing& Laboratory::anchor_drawing() {
+    if (!anchor_drawing_) {
+        anchor_inputs_ = shared_.inputs_of(anchor_).inputs;
+        anchor_drawing_ = prepare(anchor_, anchor_inputs_);
+    }
+    return *anchor_drawing_;
+}
+
+CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
+    const SharedWork::Inputs in = shared_.inputs_of(cell);
+    const Drawing drawing = prepare(cell, in.inputs);
+    drawing.draw();
+    const Framebuffer picture = drawing.picture();
+    const std::vector<bool> outline = shared_.outline_of(cell, in.inputs);
+    Json result = settings_json(cell);
+    result["picture"] = {{"width", picture.width}, {"height", picture.height}};
+    result["picture"]["hash"] = hash_of(picture);
+    result["white"] = in.inputs.white;
+    result["errors"] = {
+        {"exact", errors_json(picture, shared_.truth_of(cell, in.inputs), outline)},
+        {"ideal64", errors_json(picture, shared_.ideal_of(cell, in.inputs), outline)}};
+    result["fit"] = in.lit ? factors_json(cell.scene, *in.lit).at("materials") : Json(nullptr);
+    result["warnings"] = warnings_of(cell.scene, *in.inputs.materials);
+    put_work(result, cell, drawing);
+    result["times"] = {{"sampling", to_json(in.sampling)}, {"factoring", to_json(in.factoring)}};
+    result["times"]["frame"] = to_json(time_frames(drawing.draw, anchor.draw, rule_));
+    return {std::move(result), byte_image(picture)};
+}
+
+CellFindings Laboratory::measure(const Cell& cell) {
+    const Drawing& anchor = anchor_drawing();
+    try {
+        return measured(cell, anchor);
+    } catch (const Error& e) {
+        Json result = settings_json(cell);
+        result["failed"] = e.what();
+        return {std::move(result), {}};
+    }
+}
+
+}  // namespace twofold
