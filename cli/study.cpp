@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "study/sweep/run_study.hpp"
+#include "study/sweep/study_page.hpp"
 #include "study/write_run.hpp"
 
 namespace twofold {
@@ -42,6 +42,30 @@ void print_cells(const StudyPlan& plan, const CellStore& store) {
         }
 }
 
+/// Cells that a shard measured. Its folder is only read.
+void take_over(const StudyPlan& plan, const std::string& folder, const CellStore& store) {
+    const std::filesystem::path cells = std::filesystem::path(folder) / "cells";
+    if (!std::filesystem::is_directory(cells))
+        throw Error(ExitCode::bad_file, "--merge: " + cells.string() + ": there is no such folder");
+    const CellStore other(cells);
+    for (const PlannedCell& cell : plan.cells) store.take_over(cell.id, other);
+}
+
+ExitCode report(const StudyPlan& plan, const CellStore& store, const std::filesystem::path& folder,
+                const CommonOptions& common) {
+    const StudyResults results = collect(plan, store);
+    const auto file = write_study(results, store, folder, common.command_line);
+    fmt::print("{}\nreport: {}\n", study_summary(results),
+               std::filesystem::absolute(file).lexically_normal().string());
+    ExitCode code = ExitCode::ok;
+    for (const auto& [id, result] : results.cells)
+        if (result.contains("failed")) {
+            fmt::print(stderr, "warning: {}: {}\n", id, result.at("failed").get<std::string>());
+            code = ExitCode::warning;
+        }
+    return code;
+}
+
 }  // namespace
 
 ExitCode study_command(const StudyOptions& options, const CommonOptions& common) {
@@ -54,13 +78,15 @@ ExitCode study_command(const StudyOptions& options, const CommonOptions& common)
         return ExitCode::ok;
     }
     Console console(common.quiet);
-    StudyEffort effort;
-    if (options.merge.empty())
-        effort = measure_cells(plan, shard, store, common.threads,
-                               [&](const StudyProgress& p) { show(console, p); });
-    console.finish();
-    print_effort(effort);
-    return ExitCode::ok;
+    for (const std::string& other : options.merge) take_over(plan, other, store);
+    if (options.merge.empty()) {
+        const StudyEffort effort = measure_cells(plan, shard, store, common.threads,
+                                                 [&](const StudyProgress& p) { show(console, p); });
+        console.finish();
+        print_effort(effort);
+    }
+    if (!options.shard.empty()) return ExitCode::ok;
+    return report(plan, store, folder.path(), common);
 }
 
 }  // namespace twofold

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "study/page_text.hpp"
+
 /// The files of study/report/, made into string views by study/report/embed.cmake.
 namespace twofold::report_files {
 extern const std::string_view report_html, report_css, elements_js, viewer_js, charts_js, page_js;
@@ -16,27 +18,6 @@ namespace twofold {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Bytes = std::vector<unsigned char>;
-
-std::string base64(const Bytes& bytes) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t present = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < present ? bytes[i + k] : 0u);
-        for (std::size_t k = 0; k < 4; ++k) {
-            text += k <= present ? digits[group >> (18 - 6 * k) & 63u] : '=';
-        }
-    }
-    return text;
-}
-
-Json image_source(const Bytes& png) {
-    return png.empty() ? Json() : Json("data:image/png;base64," + base64(png));
-}
 
 template <typename T, typename ToJson>
 Json list_of(const T& values, ToJson to_json) {
@@ -132,40 +113,6 @@ Json report_json(const Report& report) {
             {"steps", list_of(report.steps, step_json)},
             {"presets", list_of(report.preset_sentences, pair_json<std::string>)},
             {"provenance", list_of(report.provenance, pair_json<std::string>)}};
-}
-
-std::string replace_all(std::string text, char what, std::string_view by) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-        text.replace(at, 1, by);
-    }
-    return text;
-}
-
-/// JSON for a script element. Inside one, only '<' can begin something that is not data
-/// ("</script", "<!--"). Bytes that are not UTF-8, as file names may hold, become U+FFFD.
-std::string script_data(const Json& json) {
-    return replace_all(json.dump(-1, ' ', false, Json::error_handler_t::replace), '<', "\\u003c");
-}
-
-std::string html_text(const std::string& text) {
-    return replace_all(replace_all(replace_all(text, '&', "&amp;"), '<', "&lt;"), '"', "&quot;");
-}
-
-using Parts = std::vector<std::pair<std::string_view, std::string>>;
-
-/// Fills the page's {{markers}} in one go from front to back, so that a part which happens to
-/// contain a marker stays as it is.
-std::string filled(std::string_view page, const Parts& parts) {
-    std::string result;
-    while (true) {
-        const std::size_t open = page.find("{{"), close = page.find("}}", open);
-        if (open == std::string_view::npos || close == std::string_view::npos) break;
-        const std::string_view name = page.substr(open + 2, close - open - 2);
-        result += page.substr(0, open);
-        for (const auto& [key, text] : parts) result += key == name ? text : std::string();
-        page.remove_prefix(close + 2);
-    }
-    return result += page;
 }
 
 std::string script() {

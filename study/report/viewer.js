@@ -86,6 +86,15 @@ class Viewer {
         (c) => pairs.some(([a, b]) => c.picture === a && c.reference === b));
   }
 
+  has_heat() {
+    return Boolean(this.comparison()?.heat);
+  }
+
+  heat_image() {
+    const {picture, reference, heat} = this.comparison();
+    return this.image('heat', `${picture} against ${reference}`, heat);
+  }
+
   // One element for each use of a picture, kept, so that changing back does not decode again.
   image(role, name, src) {
     const key = `${role} ${name}`;
@@ -101,16 +110,15 @@ class Viewer {
   }
 
   show() {
-    const comparison = this.comparison();
-    const heat = comparison?.heat ?? null;
-    if (!heat) this.view = 'slider';
+    const has_heat = this.has_heat();
+    if (!has_heat) this.view = 'slider';
     for (const radio of this.view_choice.querySelectorAll('input')) {
       radio.checked = radio.value === this.view;
-      radio.disabled = radio.value === 'heat' && !heat;
+      radio.disabled = radio.value === 'heat' && !has_heat;
     }
     this.heat_shown = this.view === 'heat';
     const shown = this.heat_shown
-        ? [this.image('heat', `${comparison.picture} against ${comparison.reference}`, heat)]
+        ? [this.heat_image()]
         : [this.picture('right', this.right), this.picture('left', this.left)];
     this.canvas.replaceChildren(...shown, this.marker);
     this.label();

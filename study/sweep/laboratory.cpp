@@ -5,6 +5,7 @@
 #include "study/run.hpp"
 #include "study/sweep/cell_names.hpp"
 #include "study/sweep/errors.hpp"
+#include "study/sweep/machine.hpp"
 #include "study/sweep/work.hpp"
 #include "texunit/error.hpp"
 
@@ -113,6 +114,8 @@ CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
     result["warnings"] = warnings_of(cell.scene, *in.inputs.materials);
     put_work(result, cell, drawing);
     result["times"] = {{"sampling", to_json(in.sampling)}, {"factoring", to_json(in.factoring)}};
+    result["times"]["processor"] = processor_name();
+    result["times"]["compiler"] = compiler_name();
     result["times"]["frame"] = to_json(time_frames(drawing.draw, anchor.draw, rule_));
     return {std::move(result), byte_image(picture)};
 }

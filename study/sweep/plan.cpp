@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "texunit/error.hpp"
+#include "texunit/fnv1a.hpp"
 
 namespace twofold {
 namespace {
@@ -21,13 +22,12 @@ Changes joined(Changes a, const Changes& b) {
 
 /// Collects cells, each once.
 struct PlanMaker {
-    const SceneSource& source;
     InputHashes inputs{};
     int white_samples = 0;
     std::vector<PlannedCell> cells{};
     std::map<std::string, std::size_t> known{};
 
-    std::size_t add(const Changes& changes) {
+    std::size_t add(const SceneSource& source, const Changes& changes) {
         Cell cell = make_cell(source, changes);
         if (white_samples == 0) white_samples = cell.white_samples;
         cell.white_samples = white_samples;
@@ -38,13 +38,33 @@ struct PlanMaker {
     }
 };
 
-PlannedAxis planned_axis(PlanMaker& maker, const StudyAxis& axis, const Changes& base) {
+/// The scenes of an axis: those that it names and that lie beside the study's, or the study's.
+std::vector<SceneSource> scenes_of(const StudyAxis& axis, const SceneSource& source) {
+    std::vector<SceneSource> scenes;
+    for (const std::string& name : axis.scenes)
+        if (std::filesystem::exists(source.directory / name))
+            scenes.push_back(read_source(source.directory / name));
+    if (scenes.empty()) scenes.push_back(source);
+    return scenes;
+}
+
+PlannedAxis planned_axis(PlanMaker& maker, const StudyAxis& axis, const SceneSource& source,
+                         const Changes& base) {
     PlannedAxis planned{axis.name, axis.title, axis.plot, {}};
     const Changes common = joined(base, axis.base);
-    for (const StudyPoint& point : axis.points)
-        planned.points.push_back(
-            {point.label, point.value, maker.add(joined(common, point.changes))});
+    for (const SceneSource& scene : scenes_of(axis, source))
+        for (const StudyPoint& point : axis.points)
+            planned.points.push_back(
+                {point.label, point.value,
+                 axis.scenes.empty() ? "" : std::filesystem::path(scene.name).filename().string(),
+                 maker.add(scene, joined(common, point.changes))});
     return planned;
+}
+
+std::string hash_of(const SceneSource& source, const std::string& inputs) {
+    Fnv1a hash;
+    hash.text(source.text).text(inputs);
+    return fmt::format("{:016x}", hash.value());
 }
 
 /// Numbers texts in the order in which they are first met.
@@ -86,14 +106,15 @@ void sort_by_shared_work(StudyPlan& plan, InputHashes& inputs) {
 StudyPlan make_plan(const Study& study, const std::filesystem::path& scene,
                     const std::vector<std::string>& overrides) {
     const SceneSource source = read_source(scene);
-    PlanMaker maker{source};
+    PlanMaker maker;
     const Changes base = joined(study.base, overrides);
     StudyPlan plan;
-    plan.base = maker.add(base);
+    plan.base = maker.add(source, base);
+    plan.scene_hash = hash_of(source, maker.inputs.of(maker.cells[0].cell.scene));
     const bool has_objects = !maker.cells[0].cell.scene.objects.empty();
     for (const StudyAxis& axis : study.axes)
         if (has_objects || !axis.needs_objects)
-            plan.axes.push_back(planned_axis(maker, axis, base));
+            plan.axes.push_back(planned_axis(maker, axis, source, base));
     plan.study_title = study.title;
     plan.scene_title = maker.cells[0].cell.scene.title;
     plan.scene_file = scene.filename().string();

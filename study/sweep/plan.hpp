@@ -17,6 +17,7 @@ struct PlannedCell {
 struct PlannedPoint {
     std::string label;
     std::optional<double> value;
+    std::string scene;     ///< file name, where the axis goes over several scenes
     std::size_t cell = 0;  ///< index into StudyPlan::cells
 };
 
@@ -29,6 +30,7 @@ struct PlannedAxis {
 /// A study of one scene: every cell once, in an order in which neighbours share most work.
 struct StudyPlan {
     std::string study_title, scene_title, scene_file;
+    std::string scene_hash;  ///< of the scene file and the files that it names
     TimingRule timing;
     std::vector<PlannedCell> cells;
     std::vector<PlannedAxis> axes;

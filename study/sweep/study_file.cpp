@@ -65,6 +65,18 @@ std::vector<StudyPoint> read_points(const JsonObject& fields) {
     return points;
 }
 
+/// Names of files, not paths: they lie beside the study's scene.
+std::vector<std::string> read_scenes(const JsonObject& fields) {
+    std::vector<std::string> scenes;
+    if (const auto list = fields.find("scenes"))
+        for (const JsonValue& name : list->elements(1, max_axes)) {
+            scenes.push_back(name.text());
+            if (std::filesystem::path(name.text()).filename() != name.text())
+                name.fail(name.shown() + " is not the name of a file beside the scene");
+        }
+    return scenes;
+}
+
 StudyAxis read_axis(const JsonValue& value) {
     const JsonObject fields(
         value, {"name", "title", "plot", "needs_objects", "base", "path", "values", "points"});
@@ -73,6 +85,7 @@ StudyAxis read_axis(const JsonValue& value) {
             fields.text("title", name),
             fields.enumerator("plot", plot_names, AxisPlot::none),
             fields.boolean("needs_objects", false),
+            read_scenes(fields),
             read_changes(fields.find("base")),
             read_points(fields)};
 }

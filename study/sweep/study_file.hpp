@@ -30,9 +30,10 @@ struct StudyAxis {
     std::string name;   ///< an identifier
     std::string title;  ///< for readers
     AxisPlot plot = AxisPlot::none;
-    bool needs_objects = false;      ///< left out for scenes without any
-    std::vector<std::string> base;   ///< changes for all of its cells
-    std::vector<StudyPoint> points;  ///< at least one
+    bool needs_objects = false;       ///< left out for scenes without any
+    std::vector<std::string> scenes;  ///< files beside the study's scene; empty = that scene
+    std::vector<std::string> base;    ///< changes for all of its cells
+    std::vector<StudyPoint> points;   ///< at least one
 };
 
 struct Study {
