@@ -62,7 +62,8 @@ struct StudyOptions {
     bool quick = false, full = false;  ///< which shipped one; neither = quick
     std::string shard;  ///< PART/PARTS; empty = all cells
     std::vector<std::string> merge;  ///< folders whose cells are taken over; nothing is measured
-    bool list = false;               ///< only print the cells
+    std::string checks;  ///< result file of the project's tests; empty = none
+    bool list = false;   ///< only print the cells
 };
 ExitCode study_command(const StudyOptions& options, const CommonOptions& common);
 

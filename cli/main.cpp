@@ -112,6 +112,8 @@ void define_study(CLI::App& app, Options& o) {
                                 "PART/PARTS: measure every PARTS-th cell, and write no report");
     c->add_option("--merge", o.study.merge, "Folders of shards: collect their cells, and report")
         ->excludes(shard);
+    c->add_option("--checks", o.study.checks,
+                  "Result file of this version's tests (ctest --output-junit), for the report");
     c->add_flag("--list", o.study.list, "Only print the cells and whether they are measured");
     add_common(*c, o.common, true);
     c->footer(

@@ -52,9 +52,9 @@ void take_over(const StudyPlan& plan, const std::string& folder, const CellStore
 }
 
 ExitCode report(const StudyPlan& plan, const CellStore& store, const std::filesystem::path& folder,
-                const CommonOptions& common) {
+                const StudyOrigin& origin) {
     const StudyResults results = collect(plan, store);
-    const auto file = write_study(results, store, folder, common.command_line);
+    const auto file = write_study(results, store, folder, origin);
     fmt::print("{}\nreport: {}\n", study_summary(results),
                std::filesystem::absolute(file).lexically_normal().string());
     ExitCode code = ExitCode::ok;
@@ -86,7 +86,7 @@ ExitCode study_command(const StudyOptions& options, const CommonOptions& common)
         print_effort(effort);
     }
     if (!options.shard.empty()) return ExitCode::ok;
-    return report(plan, store, folder.path(), common);
+    return report(plan, store, folder.path(), {common.command_line, options.checks});
 }
 
 }  // namespace twofold

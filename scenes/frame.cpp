@@ -75,8 +75,9 @@ const FactoredLighting& lighting_of(const FactoredMaterials& materials, const st
 
 }  // namespace
 
-bool samples_float_textures(Preset preset) {
-    return preset == Preset::ideal64 || preset == Preset::float32;
+bool samples_float_textures(Preset preset, const CustomSettings& custom) {
+    return preset == Preset::ideal64 || preset == Preset::float32 ||
+           (preset == Preset::custom && custom.texel_bits != 8);
 }
 
 Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMaterials& materials,
@@ -92,8 +93,8 @@ Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMa
             t1.bytes[0]);
         std::vector<std::size_t>& textures = factor_textures[object.material];
         for (std::size_t k = textures.size(); k < lighting.terms.size(); ++k)
-            textures.push_back(
-                add_factor_textures(b.frame, lighting.terms[k], samples_float_textures(preset)));
+            textures.push_back(add_factor_textures(b.frame, lighting.terms[k],
+                                                   samples_float_textures(preset, scene.custom)));
         add_object_passes(b, object, lighting, textures);
     }
     for (const HistoricalObject& object : scene.historical)

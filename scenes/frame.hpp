@@ -10,8 +10,9 @@ namespace twofold {
 /// Lighting functions by material name.
 using FactoredMaterials = std::map<std::string, FactoredLighting>;
 
-/// Whether a preset samples the factors as float textures (ideal64, float32) or as bytes.
-bool samples_float_textures(Preset preset);
+/// Whether a preset samples the factors as float textures (ideal64, float32, custom with texels of
+/// other than 8 bits) or as bytes.
+bool samples_float_textures(Preset preset, const CustomSettings& custom);
 
 /// The scene as passes: each object by the paper's four (front and back of t1 times front and back
 /// of t2, chosen by the alpha test), or by one where the maps are cube maps, for each product of

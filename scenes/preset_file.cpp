@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scenes/scene_names.hpp"
@@ -20,6 +22,14 @@ Preset read_preset(const JsonValue& value) {
     return *preset;
 }
 
+int read_framebuffer_bits(const JsonObject& fields, int absent) {
+    const auto value = fields.find("framebuffer_bits");
+    if (!value) return absent;
+    const int bits = value->integer(0, 8);
+    if (bits > 0 && bits < 4) value->fail(fmt::format("{} is not 0 or 4 to 8", bits));
+    return bits;
+}
+
 }  // namespace
 
 std::vector<Preset> read_presets(const JsonValue& value) {
@@ -35,8 +45,8 @@ std::vector<Preset> read_presets(const JsonValue& value) {
 
 CustomSettings read_custom(const JsonValue& value) {
     const JsonObject fields(
-        value, {"filter_weight_bits", "filter_rounding", "product_rounding", "register_bits",
-                "vertex_color", "snap_bits", "snap_bias", "framebuffer_bits"});
+        value, {"filter_weight_bits", "filter_rounding", "product_rounding", "texel_bits",
+                "register_bits", "vertex_color", "snap_bits", "snap_bias", "framebuffer_bits"});
     const CustomSettings absent;
     return {
         .filter_weight_bits =
@@ -45,11 +55,12 @@ CustomSettings read_custom(const JsonValue& value) {
             fields.enumerator("filter_rounding", filter_rounding_names, absent.filter_rounding),
         .product_rounding =
             fields.enumerator("product_rounding", product_rounding_names, absent.product_rounding),
-        .register_bits = fields.integer("register_bits", 8, 16, absent.register_bits),
+        .texel_bits = fields.integer("texel_bits", 4, 16, absent.texel_bits),
+        .register_bits = fields.integer("register_bits", 8, 24, absent.register_bits),
         .vertex_color = fields.enumerator("vertex_color", vertex_color_names, absent.vertex_color),
         .snap_bits = fields.integer("snap_bits", 0, 12, absent.snap_bits),
         .snap_bias = fields.number("snap_bias", {.low = -1.0, .high = 1.0}, absent.snap_bias),
-        .framebuffer_bits = fields.integer("framebuffer_bits", 4, 8, absent.framebuffer_bits)};
+        .framebuffer_bits = read_framebuffer_bits(fields, absent.framebuffer_bits)};
 }
 
 }  // namespace twofold::scene_io

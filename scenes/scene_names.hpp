@@ -200,7 +200,8 @@ inline constexpr std::array product_rounding_names{Named{"nearest", ProductRound
 
 inline constexpr std::array vertex_color_names{
     Named{"nv17", VertexColorRounding::nv17}, Named{"nv2x", VertexColorRounding::nv2x},
-    Named{"nearest", VertexColorRounding::nearest}, Named{"floor", VertexColorRounding::floor}};
+    Named{"nearest", VertexColorRounding::nearest}, Named{"floor", VertexColorRounding::floor},
+    Named{"real", VertexColorRounding::real}};
 
 inline constexpr std::array shade_model_names{Named{"smooth", ShadeModel::smooth},
                                               Named{"flat", ShadeModel::flat}};

@@ -36,6 +36,7 @@ Json json_of(const CustomSettings& custom) {
     return {{"filter_weight_bits", custom.filter_weight_bits},
             {"filter_rounding", name_in(filter_rounding_names, custom.filter_rounding)},
             {"product_rounding", name_in(product_rounding_names, custom.product_rounding)},
+            {"texel_bits", custom.texel_bits},
             {"register_bits", custom.register_bits},
             {"vertex_color", name_in(vertex_color_names, custom.vertex_color)},
             {"snap_bits", custom.snap_bits},

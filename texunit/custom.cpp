@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "texunit/error.hpp"
+#include "texunit/fixed.hpp"
 
 namespace twofold {
 namespace {
@@ -36,6 +37,7 @@ int vertex_byte(VertexColorRounding rounding, nv1x::Word x) {
         case VertexColorRounding::nearest:
             return rn8(real);
         case VertexColorRounding::floor:
+        case VertexColorRounding::real:
             break;
     }
     return floor8(real);
@@ -45,16 +47,23 @@ int vertex_byte(VertexColorRounding rounding, nv1x::Word x) {
 
 void check_custom(const CustomSettings& s) {
     check_range("filter_weight_bits", s.filter_weight_bits, 1, 16);
-    check_range("register_bits", s.register_bits, 8, 16);
+    check_range("texel_bits", s.texel_bits, 4, 16);
+    check_range("register_bits", s.register_bits, 8, 24);
     check_range("snap_bits", s.snap_bits, 0, 12);
     check_range("snap_bias", s.snap_bias, -1.0, 1.0);
-    check_range("framebuffer_bits", s.framebuffer_bits, 4, 8);
+    if (s.framebuffer_bits != 0) check_range("framebuffer_bits", s.framebuffer_bits, 4, 8);
 }
 
 Custom::Custom(const CustomSettings& settings) : settings_(settings) { check_custom(settings); }
 
 Color<int> Custom::vertex_color(const Color<nv1x::Word>& c) const {
     const auto rounding = settings_.vertex_color;
+    if (rounding == VertexColorRounding::real) {
+        const auto rounded = [&](nv1x::Word x) {
+            return to_fixed_half_up(one() * Nv1xArithmetic::to_double(x), 0, one());
+        };
+        return {rounded(c[0]), rounded(c[1]), rounded(c[2]), rounded(c[3])};
+    }
     // The 22-bit rounding leaves alpha out.
     const auto of_alpha =
         rounding == VertexColorRounding::nv17 ? VertexColorRounding::nv2x : rounding;
@@ -89,6 +98,37 @@ int Custom::scale_and_bias(int x, CombinerScale scale, bool bias) const {
     const int biased = bias ? x - from_byte(128) : x;
     const int least = settings_.register_bits == 8 ? 0 : -one();
     return clamped(scaled(biased, scale), least, one());
+}
+
+/// A texel's value in [0, 1], rounded to the texels' bits and then to the registers' width.
+int Custom::texel_of(double x) const {
+    const int steps = (1 << settings_.texel_bits) - 1;
+    return nearest_quotient(wide(to_fixed_half_up(steps * x, 0, steps)) * one(), steps);
+}
+
+Custom::Pixel Custom::pixel(double constant) const {
+    if (!real_framebuffer()) return Nv17::pixel(constant);
+    return 255.0 * (constant > 0.0 ? (constant < 1.0 ? constant : 1.0) : 0.0);
+}
+
+Custom::Pixel Custom::blend(Pixel s, Pixel f, Pixel d, Pixel g) const {
+    const double sum = s * f + d * g;
+    if (real_framebuffer()) return sum < 255.0 * 255.0 ? sum / 255.0 : 255.0;
+    return Nv17::blend(static_cast<int>(s), static_cast<int>(f), static_cast<int>(d),
+                       static_cast<int>(g));
+}
+
+Custom::Pixel Custom::blend_subtract(Pixel s, Pixel f, Pixel d, Pixel g) const {
+    const double difference = s * f - d * g;
+    if (real_framebuffer()) return difference > 0.0 ? difference / 255.0 : 0.0;
+    return Nv17::blend_subtract(static_cast<int>(s), static_cast<int>(f), static_cast<int>(d),
+                                static_cast<int>(g));
+}
+
+Custom::Pixel Custom::quantise(Pixel p, int bits) const {
+    if (real_framebuffer() && bits == 8) return p;
+    const int kept = real_framebuffer() ? bits : settings_.framebuffer_bits;
+    return keep_high_bits(static_cast<int>(p), bits < kept ? bits : kept);
 }
 
 /// A product of two registers, or a sum of such, as a register.

@@ -178,7 +178,7 @@ constexpr std::array<StageRule, 19> custom_rules{{
     {"fill rule", "pixel centre, top-left", chosen, project},
     {"colour iterator", "as nv17, at the width of the registers", chosen, project},
     {"s, t, q iteration and division", "binary64, one division a coordinate", chosen, project},
-    {"texel fetch", "to 8 bits by repeating the pattern", chosen, project},
+    {"texel fetch", set, chosen, project},
     {"filter weights", set, chosen, project},
     {"bilinear filter", set, chosen, project},
     {"trilinear filter", "weights and rounding of the bilinear filter", chosen, project},
@@ -209,7 +209,7 @@ const PresetTable& table_of(Preset preset) {
          nv2x_rules},
         {"nv17", "the paper's card: a GeForce4 MX (NV17/NV18), stage by stage", 1, nv17_rules},
         {"coarse8", "the lower bracket: how bad 8 bits could be", 1, coarse8_rules},
-        {"custom", "nv17 with widths and roundings set at run time, for studies of one stage", 1,
+        {"custom", "nv17 with widths and roundings set at run time, for studies of one stage", 2,
          custom_rules},
     }};
     static_assert(tables.size() == static_cast<std::size_t>(Preset::custom) + 1);

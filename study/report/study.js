@@ -284,7 +284,8 @@ function build() {
   document.body.append(tip);
   document.querySelectorAll('.point').forEach(enliven_point);
   build_viewer();
-  const rest = [scale_section(), cells_section(), provenance_section()];
+  const rest = [scale_section(), claim_section(data, cells), cells_section(),
+                hard_cases_section(data), provenance_section()];
   document.getElementById('rest').replaceChildren(...rest.filter((part) => part !== null));
   document.getElementById('navigation').append(...navigation());
 }

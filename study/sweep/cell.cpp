@@ -119,9 +119,14 @@ CellKeys keys_of(const Cell& cell, InputHashes& inputs) {
     const std::string files = inputs.of(cell.scene);
     const int held_out = cell.scene.factorization.held_out;
     CellKeys keys;
+    // Sphere maps are tied to the eye: their lights are turned.
+    const bool eye = cell.scene.factorization.map_form == MapForm::sphere;
     keys.assets = part_of(scene, {"meshes", "textures", "historical", "directory"}, files);
-    keys.lighting = part_of(scene, {"environment", "white", "materials", "objects", "directory"},
-                            fmt::format("{} {} {}", files, held_out, cell.white_samples));
+    keys.lighting = part_of(
+        scene, {"environment", "white", "materials", "objects", "directory"},
+        fmt::format(
+            "{} {} {} {}", files, held_out, cell.white_samples,
+            eye ? scene.at("camera").dump() + scene.at("factorization").at("model").dump() : ""));
     keys.truth = part_of(scene, {"image", "camera"}, keys.assets + keys.lighting);
     keys.factors = part_of(scene, {"factorization"}, keys.lighting);
     DrawSettings draw = cell.draw;

@@ -16,8 +16,14 @@ struct CurvePoint {
 /// @return their indices by ascending x
 std::vector<std::size_t> pareto_front(std::span<const CurvePoint> points);
 
-/// The least-squares slope of log y over log x: y grows as x to the power of it.
-/// @return none for fewer than two different x, or where a coordinate is not above 0
+/// The slope of the least-squares line; none for fewer than two different x.
 std::optional<double> fitted_slope(std::span<const CurvePoint> points);
+
+/// That of log y over log x: y grows as x to the power of it; none where a coordinate is not above
+/// 0.
+std::optional<double> fitted_power(std::span<const CurvePoint> points);
+
+/// That of log2 y over x: y doubles so many times a unit; none where a y is not above 0.
+std::optional<double> fitted_doublings(std::span<const CurvePoint> points);
 
 }  // namespace twofold

@@ -79,7 +79,7 @@ void put_work(Json& result, const Cell& cell, const Drawing& drawing) {
         return;
     }
     const FrameWork work = work_of(*drawing.frame, preset, cell.scene.custom);
-    const bool on_card = !samples_float_textures(preset);
+    const bool on_card = !samples_float_textures(preset, cell.scene.custom);
     result["work"] = to_json(work);
     result["card"] = on_card ? to_json(predict(work, *drawing.frame, mx440_8x)) : Json(nullptr);
 }
@@ -100,7 +100,7 @@ const Drawing& Laboratory::anchor_drawing() {
 CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
     const SharedWork::Inputs in = shared_.inputs_of(cell);
     const Drawing drawing = prepare(cell, in.inputs);
-    drawing.draw();
+    const FrameTimes frame_times = time_frames(drawing.draw, anchor.draw, rule_);
     const Framebuffer picture = drawing.picture();
     const std::vector<bool> outline = shared_.outline_of(cell, in.inputs);
     Json result = settings_json(cell);
@@ -116,7 +116,7 @@ CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
     result["times"] = {{"sampling", to_json(in.sampling)}, {"factoring", to_json(in.factoring)}};
     result["times"]["processor"] = processor_name();
     result["times"]["compiler"] = compiler_name();
-    result["times"]["frame"] = to_json(time_frames(drawing.draw, anchor.draw, rule_));
+    result["times"]["frame"] = to_json(frame_times);
     return {std::move(result), byte_image(picture)};
 }
 

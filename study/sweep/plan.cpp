@@ -50,7 +50,7 @@ std::vector<SceneSource> scenes_of(const StudyAxis& axis, const SceneSource& sou
 
 PlannedAxis planned_axis(PlanMaker& maker, const StudyAxis& axis, const SceneSource& source,
                          const Changes& base) {
-    PlannedAxis planned{axis.name, axis.title, axis.plot, {}};
+    PlannedAxis planned{axis.name, axis.title, axis.plot, axis.against, axis.linear, {}};
     const Changes common = joined(base, axis.base);
     for (const SceneSource& scene : scenes_of(axis, source))
         for (const StudyPoint& point : axis.points)

@@ -24,6 +24,8 @@ struct PlannedPoint {
 struct PlannedAxis {
     std::string name, title;
     AxisPlot plot = AxisPlot::none;
+    AxisReference against = AxisReference::exact;
+    bool linear = false;
     std::vector<PlannedPoint> points;
 };
 

@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 using Field = std::optional<double> CellView::*;
 
 constexpr const char* error_label = "RMS error against exact, steps of 1/255";
+constexpr const char* ideal_label = "RMS error against ideal64, steps of 1/255";
 
 /// Results with what every figure asks of them.
 struct Views {
@@ -63,8 +64,7 @@ StudyFigure trade_figure(const Views& views, const char* name, const char* headi
 
 /// The largest error first; labels that both axes have.
 BarFigure budget_of(const Views& views, const PlannedAxis& alone, const PlannedAxis* back) {
-    BarFigure figure{
-        "budget", "Error by stage", "RMS against ideal64, steps of 1/255", {alone.title}, {}};
+    BarFigure figure{"budget", "Error by stage", ideal_label, {alone.title}, {}};
     if (back) figure.parts.push_back(back->title);
     for (const PlannedPoint& point : alone.points) {
         FigureBar bar{point.label, {}};
@@ -82,49 +82,67 @@ BarFigure budget_of(const Views& views, const PlannedAxis& alone, const PlannedA
     return figure;
 }
 
+/// The name with what the fitted line says.
+std::string with_slope(const char* name, const std::vector<CurvePoint>& points, bool linear) {
+    const auto slope = linear ? fitted_doublings(points) : fitted_power(points);
+    if (!slope) return name;
+    return linear ? fmt::format("{}: times 2^{:.2f} a step", name, *slope)
+                  : fmt::format("{}: slope {:.2f}", name, *slope);
+}
+
 FigureSeries line_series(const Views& views, const PlannedAxis& axis, const char* name,
                          Field field) {
     FigureSeries series{name, axis.name, {}, true};
     std::vector<CurvePoint> points;
     for (const PlannedPoint& point : axis.points) {
         const auto y = views.view(point).*field;
-        if (!point.value || !y || *y <= 0.0 || *point.value <= 0.0) continue;
+        if (!point.value || !y || *y <= 0.0 || (!axis.linear && *point.value <= 0.0)) continue;
         points.push_back({*point.value, *y});
         series.marks.push_back(
             {points.back(), views.id(point), fmt::format("{}: {:.4g}", point.label, *y)});
     }
     std::stable_sort(series.marks.begin(), series.marks.end(),
                      [](const auto& a, const auto& b) { return a.at.x < b.at.x; });
-    if (const auto slope = fitted_slope(points))
-        series.name += fmt::format(", slope {:.2f}", *slope);
+    series.name = with_slope(name, points, axis.linear);
     return series;
 }
 
 StudyFigure line_figure(const Views& views, const PlannedAxis& axis) {
-    PointFigure figure{
-        axis.name, "Error by " + axis.title, axis.title, "relative RMS error", true, true, {}, {}};
-    for (const auto& [name, field] :
-         {std::pair{"picture against exact", &CellView::relative},
-          std::pair{"product at held-out samples", &CellView::held_out},
-          std::pair{"the same with maps of 8 bits", &CellView::held_out_bytes}}) {
+    const bool ideal = axis.against == AxisReference::ideal64;
+    PointFigure figure{axis.name,    "Error by " + axis.title,
+                       axis.title,   ideal ? ideal_label : "relative RMS error",
+                       !axis.linear, true,
+                       {},           {}};
+    using Line = std::pair<const char*, Field>;
+    const std::vector<Line> lines =
+        ideal ? std::vector<Line>{{"picture against ideal64", &CellView::ideal}}
+              : std::vector<Line>{{"picture against exact", &CellView::relative},
+                                  {"product at held-out samples", &CellView::held_out},
+                                  {"the same with maps of 8 bits", &CellView::held_out_bytes}};
+    for (const auto& [name, field] : lines) {
         FigureSeries series = line_series(views, axis, name, field);
         if (!series.marks.empty()) figure.series.push_back(std::move(series));
     }
-    return {
-        axis.name, axis.title,
-        "Logarithmic on both axes. The slope is that of the least-squares line: the error grows "
-        "as that power of the setting.",
-        figure.series.empty() ? "" : svg_of(figure)};
+    return {axis.name, axis.title,
+            axis.linear
+                ? "The slope is that of the least-squares line through the logarithms."
+                : "Logarithmic on both axes: the error grows as the setting to the power of "
+                  "the fitted slope.",
+            figure.series.empty() ? "" : svg_of(figure)};
 }
 
 StudyFigure bar_figure(const Views& views, const PlannedAxis& axis) {
-    BarFigure figure{axis.name, "Error by " + axis.title, error_label, {"error"}, {}};
-    for (const PlannedPoint& point : axis.points)
-        if (const auto error = judged_error(views.view(point)))
+    const bool ideal = axis.against == AxisReference::ideal64;
+    BarFigure figure{
+        axis.name, "Error by " + axis.title, ideal ? ideal_label : error_label, {"error"}, {}};
+    for (const PlannedPoint& point : axis.points) {
+        const CellView view = views.view(point);
+        if (const auto error = ideal ? view.ideal : judged_error(view))
             figure.bars.push_back({point.label,
                                    {{{0.0, *error},
                                      views.id(point),
                                      fmt::format("{}: {:.4g} steps", point.label, *error)}}});
+    }
     return {axis.name, axis.title, "", figure.bars.empty() ? "" : svg_of(figure)};
 }
 

@@ -26,6 +26,9 @@ constexpr std::array plot_names{
     scene_io::Named{"none", AxisPlot::none}, scene_io::Named{"line", AxisPlot::line},
     scene_io::Named{"bars", AxisPlot::bars}, scene_io::Named{"budget", AxisPlot::budget}};
 
+constexpr std::array reference_names{scene_io::Named{"exact", AxisReference::exact},
+                                     scene_io::Named{"ideal64", AxisReference::ideal64}};
+
 /// The object's members as changes `path=value`.
 std::vector<std::string> read_changes(const std::optional<JsonValue>& object) {
     std::vector<std::string> changes;
@@ -78,12 +81,14 @@ std::vector<std::string> read_scenes(const JsonObject& fields) {
 }
 
 StudyAxis read_axis(const JsonValue& value) {
-    const JsonObject fields(
-        value, {"name", "title", "plot", "needs_objects", "base", "path", "values", "points"});
+    const JsonObject fields(value, {"name", "title", "plot", "against", "linear", "needs_objects",
+                                    "scenes", "base", "path", "values", "points"});
     const std::string name = fields.at("name").text();
     return {name,
             fields.text("title", name),
             fields.enumerator("plot", plot_names, AxisPlot::none),
+            fields.enumerator("against", reference_names, AxisReference::exact),
+            fields.boolean("linear", false),
             fields.boolean("needs_objects", false),
             read_scenes(fields),
             read_changes(fields.find("base")),

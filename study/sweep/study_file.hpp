@@ -22,14 +22,20 @@ enum class AxisPlot {
     none,
     line,   ///< error over a number, with the slope of its logarithm
     bars,   ///< error of each cell
-    budget  ///< bars of two axes side by side: `alone` and `back`
+    budget  ///< bars of two axes side by side, against ideal64: cells of the same label belong
+            ///< together
 };
+
+/// The picture that an axis's errors are shown against.
+enum class AxisReference { exact, ideal64 };
 
 /// Cells that differ in one respect.
 struct StudyAxis {
     std::string name;   ///< an identifier
     std::string title;  ///< for readers
     AxisPlot plot = AxisPlot::none;
+    AxisReference against = AxisReference::exact;
+    bool linear = false;              ///< of a line: the number is not shown by its logarithm
     bool needs_objects = false;       ///< left out for scenes without any
     std::vector<std::string> scenes;  ///< files beside the study's scene; empty = that scene
     std::vector<std::string> base;    ///< changes for all of its cells

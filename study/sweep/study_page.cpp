@@ -8,6 +8,7 @@
 #include "study/page_text.hpp"
 #include "study/results_json.hpp"
 #include "study/sweep/cell_view.hpp"
+#include "study/sweep/checks.hpp"
 #include "study/sweep/figure.hpp"
 #include "study/sweep/work.hpp"
 #include "texunit/atomic_file.hpp"
@@ -15,7 +16,7 @@
 /// The files of study/report/, made into string views by study/report/embed.cmake.
 namespace twofold::report_files {
 extern const std::string_view study_html, report_css, figure_css, study_css, elements_js, viewer_js,
-    charts_js, study_js;
+    charts_js, study_js, claim_js, hard_cases_json;
 }
 
 namespace twofold {
@@ -132,6 +133,8 @@ Json page_json(const StudyPage& page) {
             {"coverageColor", css_color(coverage_color)},
             {"cells", cells},
             {"axes", axes},
+            {"hardCases", Json::parse(report_files::hard_cases_json)},
+            {"checks", page.checks},
             {"sources", sources_json(page)},
             {"provenance", provenance_json(page)}};
 }
@@ -148,7 +151,7 @@ std::string figures_html(const std::vector<StudyFigure>& figures) {
 
 std::string script() {
     using namespace report_files;
-    return fmt::format("{}\n{}\n{}\n{}", elements_js, viewer_js, charts_js, study_js);
+    return fmt::format("{}\n{}\n{}\n{}\n{}", elements_js, viewer_js, charts_js, claim_js, study_js);
 }
 
 std::string style() {
@@ -164,10 +167,15 @@ void write_figures(const std::vector<StudyFigure>& figures, const std::filesyste
 
 constexpr std::size_t max_picture_bytes = std::size_t{1} << 30;
 
-StudyPage page_of(const StudyResults& results, const CellStore& store, const std::string& command) {
-    StudyPage page{
-        results, trade_figures(results), budget_figures(results), axis_figures(results), {},
-        command};
+StudyPage page_of(const StudyResults& results, const CellStore& store, const StudyOrigin& origin) {
+    StudyPage page{results,
+                   trade_figures(results),
+                   budget_figures(results),
+                   axis_figures(results),
+                   {},
+                   origin.command,
+                   {}};
+    if (!origin.checks.empty()) page.checks = read_checks(origin.checks);
     for (const auto& [id, result] : results.cells)
         if (!result.contains("failed"))
             page.pictures[id] = read_file(store.picture_file(id), max_picture_bytes);
@@ -201,8 +209,8 @@ std::string study_html(const StudyPage& page) {
 }
 
 std::filesystem::path write_study(const StudyResults& results, const CellStore& store,
-                                  const std::filesystem::path& folder, const std::string& command) {
-    const StudyPage page = page_of(results, store, command);
+                                  const std::filesystem::path& folder, const StudyOrigin& origin) {
+    const StudyPage page = page_of(results, store, origin);
     std::filesystem::create_directories(folder / "figures");
     for (const auto* figures : {&page.trades, &page.budgets, &page.axes})
         write_figures(*figures, folder / "figures");

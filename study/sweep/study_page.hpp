@@ -14,6 +14,13 @@ struct StudyPage {
     std::vector<StudyFigure> trades, budgets, axes;
     std::map<std::string, std::vector<unsigned char>> pictures;  ///< PNG files by cell id
     std::string command;
+    std::map<std::string, std::string> checks;  ///< outcomes of tests; see checks.hpp
+};
+
+/// Where a study's report came from.
+struct StudyOrigin {
+    std::string command;           ///< how the program was called
+    std::filesystem::path checks;  ///< a result file of the project's tests; empty = none
 };
 
 /// One HTML file that needs no network. Its figures are there before its script runs.
@@ -29,6 +36,6 @@ std::string study_csv(const StudyResults& results);
 /// Writes study.json, cells.csv, figures/*.svg and report.html.
 /// @return the path of the report
 std::filesystem::path write_study(const StudyResults& results, const CellStore& store,
-                                  const std::filesystem::path& folder, const std::string& command);
+                                  const std::filesystem::path& folder, const StudyOrigin& origin);
 
 }  // namespace twofold

@@ -74,8 +74,10 @@ TEST_CASE("a setting out of its range is named", "[custom]") {
           "custom preset: filter_weight_bits is 0, not 1 to 16");
     CHECK_FALSE(error_of(&CustomSettings::filter_weight_bits, 17).empty());
     CHECK(error_of(&CustomSettings::register_bits, 7) ==
-          "custom preset: register_bits is 7, not 8 to 16");
-    CHECK_FALSE(error_of(&CustomSettings::register_bits, 17).empty());
+          "custom preset: register_bits is 7, not 8 to 24");
+    CHECK_FALSE(error_of(&CustomSettings::register_bits, 25).empty());
+    CHECK_FALSE(error_of(&CustomSettings::texel_bits, 3).empty());
+    CHECK_FALSE(error_of(&CustomSettings::texel_bits, 17).empty());
     CHECK_FALSE(error_of(&CustomSettings::snap_bits, -1).empty());
     CHECK_FALSE(error_of(&CustomSettings::snap_bits, 13).empty());
     CHECK_FALSE(error_of(&CustomSettings::snap_bias, 1.5).empty());
@@ -83,6 +85,7 @@ TEST_CASE("a setting out of its range is named", "[custom]") {
     CHECK_FALSE(error_of(&CustomSettings::snap_bias, nan).empty());
     CHECK_FALSE(error_of(&CustomSettings::framebuffer_bits, 3).empty());
     CHECK_FALSE(error_of(&CustomSettings::framebuffer_bits, 9).empty());
+    CHECK(error_of(&CustomSettings::framebuffer_bits, 0).empty());
     CHECK(error_of(&CustomSettings::snap_bits, 12).empty());
 }
 
@@ -151,7 +154,7 @@ TEST_CASE("registers of 8 bits hold no negative number, of more than 9 a fractio
 
 TEST_CASE("at every register width a byte's way through a unit is itself and white neutral",
           "[custom][law]") {
-    for (int bits = 8; bits <= 16; ++bits) {
+    for (int bits = 8; bits <= 24; ++bits) {
         const Custom c = with(&CustomSettings::register_bits, bits);
         int wrong = 0;
         for (int k = 0; k < 256; ++k) {
@@ -177,7 +180,8 @@ TEST_CASE(
         for (std::uint64_t i = 0; i < 20000; ++i) {
             const int x = draw(3 * i, 256), y = draw(3 * i + 1, 256), z = draw(3 * i + 2, 256);
             const auto in = [&c](int k) { return c.expand(k, 8); };
-            const int shown = c.finish(c.modulate(c.modulate(in(x), in(y)), in(z)));
+            const auto shown =
+                static_cast<int>(c.finish(c.modulate(c.modulate(in(x), in(y)), in(z))));
             off[static_cast<std::size_t>(bits)] += shown != (2 * x * y * z + 65025) / (2 * 65025);
         }
     }
@@ -218,4 +222,51 @@ TEST_CASE("the snap rule of custom is as set", "[custom]") {
             CHECK(model.snap().bias == -0.125);
         }
     });
+}
+
+TEST_CASE("a texel is the nearest of the values that its bits name, whatever it came as",
+          "[custom]") {
+    for (const int bits : {4, 5, 8, 12, 16}) {
+        CustomSettings settings;
+        settings.texel_bits = bits;
+        settings.register_bits = 24;
+        const Custom c(settings);
+        const double steps = (1 << bits) - 1;
+        double worst = 0.0;
+        for (int k = 0; k <= 1000; ++k) {
+            const float x = static_cast<float>(k) / 1000.0f;
+            const double read = c.texel(Rgba32f{x, x, x, 1.0f})[1] / static_cast<double>(c.one());
+            const double wanted = std::floor(steps * static_cast<double>(x) + 0.5) / steps;
+            worst = std::max(worst, std::fabs(read - wanted));
+        }
+        CHECK(worst <= 0.5000001 / c.one());  // the registers' own rounding
+        CHECK(c.texel(Rgba8{255, 0, 255, 0}) == Color<int>{c.one(), 0, c.one(), 0});
+    }
+    for (int k = 0; k < 256; ++k) {
+        const auto b = static_cast<std::uint8_t>(k);
+        const float x = static_cast<float>(k) / 255.0f;
+        CHECK(Custom{}.texel(Rgba8{b, b, b, b}) == Custom{}.texel(Rgba32f{x, x, x, x}));
+    }
+}
+
+TEST_CASE("with everything wide a product keeps what the registers hold", "[custom]") {
+    CustomSettings settings;
+    settings.texel_bits = 16;
+    settings.register_bits = 24;
+    settings.vertex_color = VertexColorRounding::real;
+    settings.framebuffer_bits = 0;
+    const Custom c(settings);
+    double worst = 0.0;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        const double x = fraction(2 * i), y = fraction(2 * i + 1);
+        const auto texel = c.texel(Rgba32f{static_cast<float>(y), 0.0f, 0.0f, 1.0f})[0];
+        const int product = c.modulate(c.vertex_color(words(x))[0], texel);
+        worst = std::max(worst, std::fabs(c.to_real(c.finish(product)) - x * y));
+    }
+    CHECK(worst < 1.1 / 65535.0);  // half a step of the texel and what the registers round
+    CHECK(c.quantise(c.finish(c.one() / 3), 8) == Approx(85.0).margin(1e-4));
+    CHECK(c.quantise(c.finish(c.one() / 3), 5) == 80.0);
+    CHECK(c.blend(51.0, 127.5, 102.0, 255.0) == 127.5);
+    CHECK(c.blend_subtract(51.0, 127.5, 102.0, 255.0) == 0.0);
+    CHECK(c.to_unorm8(84.5) == 85);
 }
