@@ -45,19 +45,20 @@ class StudyViewer extends Viewer {
     return true;
   }
 
-  // The picture stands in until the map is computed.
+  // The right picture stands in until the map is computed.
   heat_image() {
-    const [left, right] = [this.left, this.right];
-    const key = `heat ${left} against ${right}`;
-    if (!this.images.has(key)) {
-      const image = element('img', {src: this.source(right), alt: `Heat map of ${left} and ${right}`,
-                                    draggable: 'false'});
-      this.images.set(key, image);
-      Promise.all([this.pixels_of(left), this.pixels_of(right)]).then(([a, b]) => {
-        image.src = heat_url(a, b);
-      });
-    }
-    return this.images.get(key);
+    const key = `heat ${this.left} against ${this.right}`;
+    if (this.images.has(key)) return this.images.get(key);
+    this.make_heat_image(key, this.left, this.right);
+    return this.picture('right', this.right);
+  }
+
+  async make_heat_image(key, left, right) {
+    const [a, b] = [await this.pixels_of(left), await this.pixels_of(right)];
+    if (this.images.has(key)) return;
+    this.images.set(key, element('img', {
+      src: heat_url(a, b), alt: `Heat map of ${left} and ${right}`, draggable: 'false'}));
+    if (this.heat_shown) this.show();
   }
 
   source(name) {

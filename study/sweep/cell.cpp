@@ -122,16 +122,18 @@ CellKeys keys_of(const Cell& cell, InputHashes& inputs) {
     // Sphere maps are tied to the eye: their lights are turned.
     const bool eye = cell.scene.factorization.map_form == MapForm::sphere;
     keys.assets = part_of(scene, {"meshes", "textures", "historical", "directory"}, files);
-    keys.lighting = part_of(
-        scene, {"environment", "white", "materials", "objects", "directory"},
-        fmt::format(
-            "{} {} {} {}", files, held_out, cell.white_samples,
-            eye ? scene.at("camera").dump() + scene.at("factorization").at("model").dump() : ""));
-    keys.truth = part_of(scene, {"image", "camera"}, keys.assets + keys.lighting);
+    keys.lighting =
+        part_of(scene, {"environment", "white", "materials", "objects", "directory"},
+                fmt::format("{} {} {} {}", files, held_out, cell.white_samples,
+                            eye ? part_of(scene, {"camera", "factorization"}, "") : ""));
+    const Json& image = scene.at("image");
+    keys.truth = part_of(scene, {"camera"}, keys.assets + keys.lighting) +
+                 part_of(image, {"width", "height", "background"}, "");
     keys.factors = part_of(scene, {"factorization"}, keys.lighting);
     DrawSettings draw = cell.draw;
     draw.way = DrawWay::fused;
-    keys.ideal = part_of(scene, {"passes"}, keys.truth + keys.factors + json_of(draw).dump());
+    keys.ideal =
+        part_of(scene, {"passes", "image"}, keys.truth + keys.factors + json_of(draw).dump());
     return keys;
 }
 

@@ -75,6 +75,35 @@ std::string line(double x1, double y1, double x2, double y2, const char* kind) {
                        x2, y2, kind);
 }
 
+/// The largest power of ten that is not above `x`, which is above 0.
+double decade_of(double x) {
+    double decade = 1.0;
+    while (decade > x) decade /= 10.0;
+    while (decade * 10.0 <= x) decade *= 10.0;
+    return decade;
+}
+
+/// Powers of ten, and their doubles and fives where there are few.
+std::vector<double> logarithmic_ticks(double low, double high) {
+    std::vector<double> ticks;
+    const bool few = high / low < 30.0;
+    for (double decade = decade_of(low); decade <= high; decade *= 10.0)
+        for (const double part : {1.0, 2.0, 5.0})
+            if ((few || part == 1.0) && decade * part >= low && decade * part <= high)
+                ticks.push_back(decade * part);
+    return ticks;
+}
+
+std::vector<double> linear_ticks(double low, double high) {
+    const double decade = decade_of(high - low);
+    double step = decade;
+    for (const double part : {0.5, 0.2})
+        if ((high - low) / (decade * part) <= 8.0) step = decade * part;
+    std::vector<double> ticks;
+    for (double k = std::ceil(low / step); k * step <= high; k += 1.0) ticks.push_back(k * step);
+    return ticks;
+}
+
 std::vector<double> ticks_of(const Scale& s) {
     const double low = s.logarithmic ? exact::exp(s.low * exact::log(10.0)) : s.low;
     const double high = s.logarithmic ? exact::exp(s.high * exact::log(10.0)) : s.high;
@@ -200,22 +229,8 @@ std::vector<std::string> names_of(const std::vector<FigureSeries>& series) {
 }  // namespace
 
 std::vector<double> axis_ticks(double low, double high, bool logarithmic) {
-    std::vector<double> ticks;
-    if (!(high > low)) return ticks;
-    if (logarithmic && low > 0.0) {
-        const bool few = high / low < 30.0;
-        double decade = 1e-15;
-        while (decade * 10.0 <= low) decade *= 10.0;
-        for (; decade <= high; decade *= 10.0)
-            for (const double part : {1.0, 2.0, 5.0})
-                if ((few || part == 1.0) && decade * part >= low && decade * part <= high)
-                    ticks.push_back(decade * part);
-        return ticks;
-    }
-    double step = 1e-15;
-    for (int i = 0; (high - low) / step > 8.0; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
-    for (double t = std::ceil(low / step) * step; t <= high; t += step) ticks.push_back(t);
-    return ticks;
+    if (!(high > low)) return {};
+    return logarithmic && low > 0.0 ? logarithmic_ticks(low, high) : linear_ticks(low, high);
 }
 
 std::string svg_of(const PointFigure& figure) {

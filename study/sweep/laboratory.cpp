@@ -70,18 +70,10 @@ Json settings_json(const Cell& cell) {
             {"filter", scene_io::name_in(texel_filter_names, cell.draw.filter)}};
 }
 
-/// Work and prediction; the card holds bytes, so presets that hold floats have no prediction.
-void put_work(Json& result, const Cell& cell, const Drawing& drawing) {
-    const Preset preset = cell.scene.presets.front();
-    if (!drawing.frame) {
-        result["work"] = nullptr;
-        result["card"] = nullptr;
-        return;
-    }
-    const FrameWork work = work_of(*drawing.frame, preset, cell.scene.custom);
-    const bool on_card = !samples_float_textures(preset, cell.scene.custom);
-    result["work"] = to_json(work);
-    result["card"] = on_card ? to_json(predict(work, *drawing.frame, mx440_8x)) : Json(nullptr);
+/// The card holds bytes: presets that hold floats have no prediction.
+Json prediction_json(const Cell& cell, const FrameWork& work, const Frame& frame) {
+    if (samples_float_textures(cell.scene.presets.front(), cell.scene.custom)) return nullptr;
+    return to_json(predict(work, frame, mx440_8x));
 }
 
 }  // namespace
@@ -112,7 +104,12 @@ CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
         {"ideal64", errors_json(picture, shared_.ideal_of(cell, in.inputs), outline)}};
     result["fit"] = in.lit ? factors_json(cell.scene, *in.lit).at("materials") : Json(nullptr);
     result["warnings"] = warnings_of(cell.scene, *in.inputs.materials);
-    put_work(result, cell, drawing);
+    result["work"] = result["card"] = nullptr;
+    if (drawing.frame) {
+        const FrameWork work = shared_.work_of(cell, *drawing.frame);
+        result["work"] = to_json(work);
+        result["card"] = prediction_json(cell, work, *drawing.frame);
+    }
     result["times"] = {{"sampling", to_json(in.sampling)}, {"factoring", to_json(in.factoring)}};
     result["times"]["processor"] = processor_name();
     result["times"]["compiler"] = compiler_name();

@@ -1,5 +1,7 @@
 #include "study/sweep/shared_work.hpp"
 
+#include <fmt/format.h>
+
 #include "scenes/exact_picture.hpp"
 #include "study/outline.hpp"
 #include "texunit/presets.hpp"
@@ -84,6 +86,18 @@ std::shared_ptr<const Framebuffer> SharedWork::ideal_of(const Cell& cell,
         drawing.draw();
         return drawing.picture();
     });
+}
+
+FrameWork SharedWork::work_of(const Cell& cell, const Frame& frame) {
+    const Preset preset = cell.scene.presets.front();
+    const CustomSettings custom = counted_settings(cell.scene.custom);
+    std::string key = keys_of(cell, files_).ideal + std::string(name_of(preset));
+    if (preset == Preset::custom)
+        key += fmt::format(" {} {} {}", custom.snap_bits, custom.snap_bias,
+                           static_cast<int>(custom.product_rounding));
+    const auto known = counted_.find(key);
+    if (known != counted_.end()) return with_textures_of(known->second, frame);
+    return counted_.emplace(key, twofold::work_of(frame, preset, custom)).first->second;
 }
 
 std::vector<bool> SharedWork::outline_of(const Cell& cell, const CellInputs& inputs) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "raster/visible_surface.hpp"
 #include "study/sweep/drawing.hpp"
 #include "study/sweep/timing.hpp"
+#include "study/sweep/work.hpp"
 
 namespace twofold {
 
@@ -31,6 +33,10 @@ class SharedWork {
 
     /// The cell's picture with nothing rounded: under ideal64 where it was drawn under its preset.
     std::shared_ptr<const Framebuffer> ideal_of(const Cell& cell, const CellInputs& inputs);
+
+    /// The work of the cell's frame. Of `custom` cells that differ in what no work depends on, one
+    /// is counted.
+    FrameWork work_of(const Cell& cell, const Frame& frame);
 
     /// The pixels that see another surface on the cell's snap grid.
     std::vector<bool> outline_of(const Cell& cell, const CellInputs& inputs);
@@ -58,6 +64,7 @@ class SharedWork {
     Kept<LitScene> lit_;
     Kept<Framebuffer> truth_, ideal_;
     Kept<VisibleSurface> surface_;
+    std::map<std::string, FrameWork> counted_;
 };
 
 }  // namespace twofold

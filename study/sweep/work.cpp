@@ -89,12 +89,29 @@ const CardRates mx440_8x{"GeForce4 MX440 8x (NV18)",
                          "units (550 million pixels "
                          "and 1,100 million texels a second), 128 bits of DDR memory at 250 MHz"};
 
+CustomSettings counted_settings(const CustomSettings& custom) {
+    CustomSettings counted;
+    counted.snap_bits = custom.snap_bits;
+    counted.snap_bias = custom.snap_bias;
+    counted.product_rounding = custom.product_rounding;
+    return counted;
+}
+
+FrameWork with_textures_of(FrameWork work, const Frame& frame) {
+    work.texture_bytes = work.texture_reads = 0;
+    for (const Texture& texture : frame.textures) work.texture_bytes += bytes_of(texture);
+    for (const Pass& pass : frame.passes)
+        for (const auto& unit : normalized(frame, pass).units)
+            if (unit && unit->texture)
+                work.texture_reads += bytes_of(frame.textures[*unit->texture]);
+    return work;
+}
+
 FrameWork work_of(const Frame& frame, Preset preset, const CustomSettings& custom) {
     const DrawCounters counters = render_reference(frame, preset, custom).counters;
     const auto fragments = pass_fragments(frame, preset, custom);
     FrameWork work;
     work.passes = static_cast<int>(frame.passes.size());
-    for (const Texture& texture : frame.textures) work.texture_bytes += bytes_of(texture);
     work.fragments = counters.fragments;
     work.written = counters.written;
     work.alpha_failed = counters.alpha_failed;
@@ -105,11 +122,8 @@ FrameWork work_of(const Frame& frame, Preset preset, const CustomSettings& custo
         work.texel_fetches += fragments[p] * static_cast<std::uint64_t>(texel_fetches(state));
         work.unit_cycles += fragments[p] * cycles_of(state);
         if (state.blend) work.blended += fragments[p];
-        for (const auto& unit : state.units)
-            if (unit && unit->texture)
-                work.texture_reads += bytes_of(frame.textures[*unit->texture]);
     }
-    return work;
+    return with_textures_of(work, frame);
 }
 
 CardPrediction predict(const FrameWork& work, const Frame& frame, const CardRates& rates) {

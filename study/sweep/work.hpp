@@ -10,8 +10,7 @@
 
 namespace twofold {
 
-/// What the rasterizer does for one frame. Counted by the reference, so it is the same for every
-/// way of drawing.
+/// What the rasterizer does for one frame, counted by the reference.
 struct FrameWork {
     int passes = 0;
     std::uint64_t texture_bytes = 0;  ///< of all images as the preset stores them
@@ -23,8 +22,15 @@ struct FrameWork {
     std::uint64_t blended = 0;        ///< fragments of passes that read the framebuffer's colour
 };
 
+/// The settings of `custom` with only what decides coverage and the alpha test of factored objects:
+/// frames that differ in the rest do the same work.
+CustomSettings counted_settings(const CustomSettings& custom);
+
 /// @throws as render_reference
 FrameWork work_of(const Frame& frame, Preset preset, const CustomSettings& custom);
+
+/// The same work with the textures of another frame, which may store other texels.
+FrameWork with_textures_of(FrameWork work, const Frame& frame);
 
 /// What a card's published rates are, and where they are published.
 struct CardRates {
