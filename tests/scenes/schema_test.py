@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks scenes/scene.schema.json with an independent validator: it is itself a valid schema, it accepts every
-shipped scene, and it refuses scenes that are wrong in known ways. Exit code 77: the validator is not installed.
+shipped scene, and it refuses scenes that are wrong in known ways; the same for studies. Exit code 77: the validator is not installed.
 
-usage: schema_test.py SCENES_FOLDER
+usage: schema_test.py SCENES_FOLDER STUDY_FOLDER
 """
 import copy
 import json
@@ -43,6 +43,30 @@ def wrong_scenes(scene):
         yield name, wrong
 
 
+def study_failures(folder):
+    """The same for study files and their schema."""
+    schema = json.loads((folder / "study.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    failures = []
+    for path in sorted(path for path in folder.glob("*.json") if path.name != "study.schema.json"):
+        study = json.loads(without_comments(path.read_text(encoding="utf-8")))
+        failures += [f"{path.name}: {error.json_path}: {error.message}"
+                     for error in validator.iter_errors(study)]
+        for name, change in {
+                "no axes": lambda s: s.pop("axes"),
+                "unknown field": lambda s: s.update(axis=[]),
+                "unknown plot": lambda s: s["axes"][0].update(plot="pie"),
+                "values and points": lambda s: s["axes"][0].update(points=[{"label": "p"}]),
+                "a point without label": lambda s: s["axes"].append({"name": "n", "points": [{}]}),
+        }.items():
+            wrong = copy.deepcopy(study)
+            change(wrong)
+            if validator.is_valid(wrong):
+                failures.append(f"{path.name}: accepted with {name}")
+    return failures
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     schema = json.loads((folder / "scene.schema.json").read_text(encoding="utf-8"))
@@ -58,6 +82,7 @@ def main():
         if "objects" in scene:
             failures += [f"{path.name}: accepted with {name}"
                          for name, wrong in wrong_scenes(scene) if validator.is_valid(wrong)]
+    failures += study_failures(pathlib.Path(sys.argv[2]))
     print("\n".join(failures) or f"{len(scenes)} scenes are valid")
     return 1 if failures or not scenes else 0
 
