@@ -16,7 +16,7 @@
 /// The files of study/report/, made into string views by study/report/embed.cmake.
 namespace twofold::report_files {
 extern const std::string_view study_html, report_css, figure_css, study_css, elements_js, viewer_js,
-    charts_js, study_js, claim_js, hard_cases_json;
+    charts_js, study_js, claim_js, tables_js, hard_cases_json;
 }
 
 namespace twofold {
@@ -151,7 +151,8 @@ std::string figures_html(const std::vector<StudyFigure>& figures) {
 
 std::string script() {
     using namespace report_files;
-    return fmt::format("{}\n{}\n{}\n{}\n{}", elements_js, viewer_js, charts_js, claim_js, study_js);
+    return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", elements_js, viewer_js, charts_js, claim_js,
+                       tables_js, study_js);
 }
 
 std::string style() {

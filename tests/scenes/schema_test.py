@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks scenes/scene.schema.json with an independent validator: it is itself a valid schema, it accepts every
-shipped scene, and it refuses scenes that are wrong in known ways; the same for studies. Exit code 77: the validator is not installed.
+shipped scene, and it refuses scenes that are wrong in known ways; the same for studies. Exit code 77: the validator
+is not installed.
 
 usage: schema_test.py SCENES_FOLDER STUDY_FOLDER
 """
