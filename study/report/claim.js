@@ -53,7 +53,7 @@ function claim_section(data, cells) {
   return section(
       'claim', 'The paper’s claim',
       element('div', {class: 'prose'},
-              element('p', {}, 'The paper says that its method reduces work and time by about 20 % on average. It names no baseline, no scene size and no way of timing, so the sentence can be bracketed but not verified. Compared here, at equal picture and preset: the product of two factor maps in the paper’s passes, against techniques that need no factoring. Times are processor time of one frame of this renderer on one thread, and light at the vertices is computed anew for every frame.'),
+              element('p', {}, 'The paper says that its method reduces work and time by about 20 % on average. It names no baseline, no scene size and no way of timing, so the sentence can be bracketed but not verified. Compared here, at equal picture and preset: the product of two factor maps in the paper’s passes, against techniques that need no factoring. Times are processor time of one frame of this renderer on one thread, and light at the vertices is computed anew for every frame. Texture environments that this renderer does not draw on vectors make a technique slower here for that reason alone (twofold explain); the columns of work and of the card’s model are free of that.'),
               element('p', {}, groups.length > 1
                   ? `On average over ${groups.length} scenes the paper’s technique takes:`
                   : 'In this scene the paper’s technique takes:'),
