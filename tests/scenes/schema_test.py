@@ -58,7 +58,8 @@ def study_failures(folder):
                 "no axes": lambda s: s.pop("axes"),
                 "unknown field": lambda s: s.update(axis=[]),
                 "unknown plot": lambda s: s["axes"][0].update(plot="pie"),
-                "values and points": lambda s: s["axes"][0].update(points=[{"label": "p"}]),
+                "values and points": lambda s: s["axes"][0].update(
+                    path="draw.way", values=["fused"], points=[{"label": "p"}]),
                 "a point without label": lambda s: s["axes"].append({"name": "n", "points": [{}]}),
         }.items():
             wrong = copy.deepcopy(study)
