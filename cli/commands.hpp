@@ -58,12 +58,12 @@ ExitCode compare_command(const CompareOptions& options, const CommonOptions& com
 struct StudyOptions {
     std::string scene;
     std::string output;
-    std::string study;  ///< a study file; empty = a shipped one
+    std::string study;                 ///< a study file; empty = a shipped one
     bool quick = false, full = false;  ///< which shipped one; neither = quick
-    std::string shard;  ///< PART/PARTS; empty = all cells
-    std::vector<std::string> merge;  ///< folders whose cells are taken over; nothing is measured
-    std::string checks;  ///< result file of the project's tests; empty = none
-    bool list = false;   ///< only print the cells
+    std::string shard;                 ///< PART/PARTS; empty = all cells
+    std::vector<std::string> merge;    ///< folders whose cells are taken over; nothing is measured
+    std::string checks;                ///< result file of the project's tests; empty = none
+    bool list = false;                 ///< only print the cells
 };
 ExitCode study_command(const StudyOptions& options, const CommonOptions& common);
 
