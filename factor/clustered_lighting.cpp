@@ -16,9 +16,13 @@ namespace twofold {
 
 namespace {
 
-/// A node's bound may be the tolerance over this. Bounds add up while errors do not: their sum is
-/// some thirty times the error.
-constexpr double terms_at_once = 4.0;
+/// A node's bound may at first be the tolerance over this. Bounds add up while errors do not: their
+/// sum is some thirty times the error.
+constexpr double first_share = 4.0;
+
+/// The measured error is taken to this share of the tolerance: what is left is for other views.
+constexpr double aim = 0.5;
+constexpr int most_trials = 6;
 
 constexpr int judged_views = 256;
 constexpr std::uint64_t judged_sequence =
@@ -149,6 +153,49 @@ struct ClusteredLighting::Parts {
     }
 };
 
+namespace {
+
+using Parts = ClusteredLighting::Parts;
+
+std::vector<Rgb> merged_radiance(const Parts& parts, std::span<const SurfaceView> at, int threads) {
+    struct Scratch {
+        Walk walk;
+        DistantLights lights;
+    };
+    const auto begin = [&]() -> LightsOfView {
+        return [scratch = std::make_shared<Scratch>(Scratch{Walk(parts.stops), {}}),
+                &parts](const SurfaceView& view) -> const DistantLights& {
+            put(scratch->lights, parts.tree, scratch->walk.taken_by(view));
+            return scratch->lights;
+        };
+    };
+    return outgoing_radiance(parts.brdf, begin, at, threads);
+}
+
+/// @param largest rms of the largest channel of `full`
+ClusterReport judged(const Parts& parts, std::span<const SurfaceView> at, std::span<const Rgb> full,
+                     double largest, int threads) {
+    ClusterReport report{.views = at.size()};
+    if (largest == 0.0) return report;
+    const std::vector<Rgb> merged = merged_radiance(parts, at, threads);
+    Walk walk(parts.stops);
+    std::vector<double> bound;
+    double taken = 0.0;
+    for (const SurfaceView& view : at) {
+        const auto& nodes = walk.taken_by(view);
+        taken += static_cast<double>(nodes.size());
+        bound.push_back(parts.bound(view, nodes));
+    }
+    report.lights = taken / static_cast<double>(at.size());
+    report.bound = root_mean_square(at.size(), [&](std::size_t i) { return bound[i]; }) / largest;
+    report.relative_rms =
+        root_mean_square(at.size(), [&](std::size_t i) { return length(merged[i] - full[i]); }) /
+        root_mean_square(at.size(), [&](std::size_t i) { return length(full[i]); });
+    return report;
+}
+
+}  // namespace
+
 ClusteredLighting::~ClusteredLighting() = default;
 ClusteredLighting::ClusteredLighting(ClusteredLighting&&) noexcept = default;
 
@@ -160,44 +207,22 @@ ClusteredLighting::ClusteredLighting(const Brdf& brdf, const DistantLights& ligh
         root_mean_square(at.size(), [&](std::size_t i) { return max_component(full[i]); });
     auto parts =
         std::make_unique<Parts>(Parts{brdf, light_tree(lights), LobeVariation(brdf, threads), {}});
-    parts->stops =
-        stops_of(parts->tree, parts->variation, tolerance * largest / terms_at_once, threads);
-    parts_ = std::move(parts);
-    report_ = {.tolerance = tolerance, .full_lights = lights.size(), .views = at.size()};
-    if (largest > 0.0) judge(at, full, largest, threads);
-}
-
-void ClusteredLighting::judge(std::span<const SurfaceView> at, std::span<const Rgb> full,
-                              double largest, int threads) {
-    const std::vector<Rgb> merged = radiance(at, threads);
-    Walk walk(parts_->stops);
-    std::vector<double> bound;
-    double taken = 0.0;
-    for (const SurfaceView& view : at) {
-        const auto& nodes = walk.taken_by(view);
-        taken += static_cast<double>(nodes.size());
-        bound.push_back(parts_->bound(view, nodes));
+    double most = tolerance * largest / first_share;
+    for (int trial = 0; trial < most_trials; ++trial) {
+        parts->stops = stops_of(parts->tree, parts->variation, most, threads);
+        report_ = judged(*parts, at, full, largest, threads);
+        // The error is about in proportion to the bound of a node.
+        const double wanted = aim * tolerance / max(report_.relative_rms, aim * tolerance / 4.0);
+        if (largest == 0.0 || (trial > 0 && report_.relative_rms <= tolerance)) break;
+        most *= wanted;
     }
-    report_.lights = taken / static_cast<double>(at.size());
-    report_.bound = root_mean_square(at.size(), [&](std::size_t i) { return bound[i]; }) / largest;
-    report_.relative_rms =
-        root_mean_square(at.size(), [&](std::size_t i) { return length(merged[i] - full[i]); }) /
-        root_mean_square(at.size(), [&](std::size_t i) { return length(full[i]); });
+    report_.tolerance = tolerance;
+    report_.full_lights = lights.size();
+    parts_ = std::move(parts);
 }
 
 std::vector<Rgb> ClusteredLighting::radiance(std::span<const SurfaceView> at, int threads) const {
-    struct Scratch {
-        Walk walk;
-        DistantLights lights;
-    };
-    const auto begin = [&]() -> LightsOfView {
-        return [scratch = std::make_shared<Scratch>(Scratch{Walk(parts_->stops), {}}),
-                this](const SurfaceView& view) -> const DistantLights& {
-            put(scratch->lights, parts_->tree, scratch->walk.taken_by(view));
-            return scratch->lights;
-        };
-    };
-    return outgoing_radiance(parts_->brdf, begin, at, threads);
+    return merged_radiance(*parts_, at, threads);
 }
 
 }  // namespace twofold

@@ -35,10 +35,9 @@ class ClusteredLighting {
 
     const ClusterReport& report() const { return report_; }
 
+    struct Parts;  ///< the tree and where to stop in it
+
   private:
-    struct Parts;
-    void judge(std::span<const SurfaceView> at, std::span<const Rgb> full, double largest,
-               int threads);
     std::unique_ptr<const Parts> parts_;
     ClusterReport report_;
 };

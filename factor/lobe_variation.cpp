@@ -72,8 +72,8 @@ std::array<Bounds, LobeVariation::distance_steps> differences_at(const Brdf& brd
 
 }  // namespace
 
-double LobeVariation::distance_of(double step) {
-    const double share = step / static_cast<double>(distance_steps);
+double LobeVariation::distance_of(double position) {
+    const double share = position / static_cast<double>(distance_steps);
     return 2.0 * share * share;
 }
 

@@ -27,7 +27,7 @@ class LobeVariation {
     const Bounds& bounds(std::size_t row, std::size_t step) const {
         return table_[row * distance_steps + step];
     }
-    static double distance_of(double step);
+    static double distance_of(double position);
 
   private:
     std::vector<Bounds> table_;

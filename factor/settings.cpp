@@ -41,6 +41,8 @@ const char* name_of(Solver solver) {
     return "unknown";
 }
 
+const char* name_of(LightingSum sum) { return sum == LightingSum::full ? "full" : "clustered"; }
+
 FactorSettings method_preset(Method method) {
     FactorSettings settings;
     settings.method = method;
@@ -57,6 +59,7 @@ FactorSettings method_preset(Method method) {
     }
     // The paper's own text and nothing else: plain rows of equation (7), no stop test but the
     // limit.
+    settings.lighting_sum = LightingSum::full;
     settings.tolerance = 0.0;
     settings.cap = 0.0;
     settings.row_weight = 0.0;

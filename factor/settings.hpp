@@ -26,6 +26,10 @@ enum class MapForm { dual_paraboloid, cube, sphere, hemisphere, chart };
 /// What a map is divided by before it is stored (factor/scale.hpp).
 enum class ScaleRule { maximum, percentile, best_split };
 
+/// How the lighting function is summed at samples and held-out pairs: over every light, or over lights
+/// merged where the lobe cannot tell them apart (factor/clustered_lighting.hpp).
+enum class LightingSum { full, clustered };
+
 /// Everything that decides the two factor maps, given the samples and the white point.
 /// Defaults are those of the method preset `paper`.
 struct FactorSettings {
@@ -36,6 +40,8 @@ struct FactorSettings {
     double guard = 0.875;  ///< g: a paraboloid's disc over half the map's edge, 0 < g <= 1
     int samples = 200000;  ///< S: (v, n) pairs of the fit
     int held_out = 20000;  ///< (v, n) pairs of the error figures, none of them in the fit
+    LightingSum lighting_sum = LightingSum::clustered;
+    double lighting_tolerance = 2e-3;  ///< of `clustered`: relative rms error wanted of the samples
     Solver solver = Solver::qmr;
     double tolerance = 1e-4;  ///< stop at |A^T r| <= tolerance |A^T b|
     int iteration_limit = 200;
@@ -66,6 +72,7 @@ const char* name_of(Method method);
 const char* name_of(Model model);
 const char* name_of(MapForm form);
 const char* name_of(Solver solver);
+const char* name_of(LightingSum sum);
 
 /// The settings of a method preset, every field at its documented value.
 FactorSettings method_preset(Method method);

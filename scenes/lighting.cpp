@@ -66,6 +66,31 @@ LightingSamples sample(const Brdf& brdf, const DistantLights& lights, int count,
     return samples;
 }
 
+/// Fewer lights are summed as they are.
+constexpr std::size_t least_clustered_lights = 256;
+
+struct Sampled {
+    MaterialSamples samples;
+    std::optional<ClusterReport> clustered;
+};
+
+/// Samples of the fit and pairs held out of it, by the sum that the settings name.
+Sampled material_samples(const Brdf& brdf, const DistantLights& lights,
+                         const FactorSettings& settings, int threads) {
+    if (settings.lighting_sum == LightingSum::full || lights.size() <= least_clustered_lights)
+        return {{sample(brdf, lights, settings.samples, fit_sequence, threads),
+                 sample(brdf, lights, settings.held_out, held_out_sequence, threads)},
+                std::nullopt};
+    const ClusteredLighting clustered(brdf, lights, settings.lighting_tolerance, threads);
+    const auto merged = [&](int count, std::uint64_t sequence) {
+        LightingSamples samples{surface_views(count, sequence), {}};
+        samples.radiance = clustered.radiance(samples.at, threads);
+        return samples;
+    };
+    return {{merged(settings.samples, fit_sequence), merged(settings.held_out, held_out_sequence)},
+            clustered.report()};
+}
+
 /// The materials that objects use, measured ones loaded.
 std::map<std::string, Brdf> used_materials(const Scene& scene, int threads) {
     std::map<std::string, Brdf> used;
@@ -148,9 +173,9 @@ SampledScene sample_scene(const Scene& scene, int threads, const StepListener& l
     sampled.brdfs = used_materials(scene, threads);
     for (const auto& [name, brdf] : sampled.brdfs) {
         listen("sample " + name);
-        sampled.samples[name] = {
-            sample(brdf, sampled.about_maps, settings.samples, fit_sequence, threads),
-            sample(brdf, sampled.about_maps, settings.held_out, held_out_sequence, threads)};
+        Sampled made = material_samples(brdf, sampled.about_maps, settings, threads);
+        sampled.samples[name] = std::move(made.samples);
+        if (made.clustered) sampled.clustered[name] = *made.clustered;
     }
     return sampled;
 }
@@ -167,7 +192,7 @@ SampledScene first_samples(const SampledScene& sampled, int count) {
 
 LitScene factor_scene(const Scene& scene, const SampledScene& sampled, double white, int threads,
                       const StepListener& listen) {
-    LitScene lit{sampled.lights, white, sampled.brdfs, {}};
+    LitScene lit{sampled.lights, white, sampled.brdfs, {}, sampled.clustered};
     const FactorSettings& settings = scene.factorization;
     for (const auto& [name, s] : sampled.samples) {
         listen("factor " + name);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "factor/clustered_lighting.hpp"
 #include "factor/environment.hpp"
 #include "factor/samples.hpp"
 #include "scenes/frame.hpp"
@@ -43,6 +44,7 @@ struct SampledScene {
     DistantLights about_maps;           ///< the same in the frame of the maps
     std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     std::map<std::string, MaterialSamples> samples;
+    std::map<std::string, ClusterReport> clustered;  ///< materials that the clustered sum sampled
 };
 
 /// Samples the materials that objects use, as many times as the scene's factorization says.
@@ -57,6 +59,7 @@ struct LitScene {
     double white = 1.0;
     std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     FactoredMaterials materials;
+    std::map<std::string, ClusterReport> clustered;  ///< materials that the clustered sum sampled
 };
 
 /// Factors what was sampled by the scene's settings.

@@ -26,6 +26,9 @@ inline constexpr std::array map_form_names{Named{"dual_paraboloid", MapForm::dua
                                            Named{"cube", MapForm::cube},
                                            Named{"sphere", MapForm::sphere}};
 
+inline constexpr std::array lighting_sum_names{Named{"full", LightingSum::full},
+                                               Named{"clustered", LightingSum::clustered}};
+
 inline constexpr std::array scale_rule_names{Named{"maximum", ScaleRule::maximum},
                                              Named{"percentile", ScaleRule::percentile},
                                              Named{"best_split", ScaleRule::best_split}};

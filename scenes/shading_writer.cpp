@@ -63,6 +63,8 @@ Json json_of(const FactorSettings& settings) {
             {"guard", settings.guard},
             {"samples", settings.samples},
             {"held_out", settings.held_out},
+            {"lighting_sum", name_in(lighting_sum_names, settings.lighting_sum)},
+            {"lighting_tolerance", settings.lighting_tolerance},
             {"solver", name_in(solver_names, settings.solver)},
             {"tolerance", settings.tolerance},
             {"iteration_limit", settings.iteration_limit},

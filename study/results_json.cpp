@@ -190,11 +190,26 @@ Json to_json(const DrawCounters& c) {
             {"written", c.written}};
 }
 
+namespace {
+
+Json lighting_sum_json(const LitScene& lit, const std::string& material) {
+    const auto found = lit.clustered.find(material);
+    if (found == lit.clustered.end())
+        return {{"sum", "full"}, {"lights", lit.lights.lights.size()}};
+    const ClusterReport& r = found->second;
+    return {{"sum", "clustered"},       {"lights", r.full_lights}, {"merged_lights", r.lights},
+            {"tolerance", r.tolerance}, {"bound", r.bound},        {"relative_rms", r.relative_rms},
+            {"judged_views", r.views}};
+}
+
+}  // namespace
+
 Json factors_json(const Scene& scene, const LitScene& lit) {
     Json materials = Json::object();
     for (const auto& [name, lighting] : lit.materials) {
         materials[name] = lighting_json(lighting);
         materials[name]["measured"] = measured_json(lit.brdfs.at(name));
+        materials[name]["lighting_sum"] = lighting_sum_json(lit, name);
     }
     const FactorSettings& settings = scene.factorization;
     return {{"title", scene.title},

@@ -140,6 +140,13 @@ void note_measured(std::vector<std::string>& notes, const std::string& name,
     }
 }
 
+std::string clustered_note(const std::string& material, const ClusterReport& r) {
+    return fmt::format(
+        "material {}: {:.0f} merged lights a view in place of {}; relative error {:.2g} % rms over "
+        "{} views (bound {:.2g} %)",
+        material, r.lights, r.full_lights, 100.0 * r.relative_rms, r.views, 100.0 * r.bound);
+}
+
 }  // namespace
 
 std::vector<std::string> notes_about(const LitScene& lit, const SceneAssets& assets) {
@@ -158,6 +165,7 @@ std::vector<std::string> notes_about(const LitScene& lit, const SceneAssets& ass
     for (const auto& [name, brdf] : lit.brdfs)
         if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf))
             note_measured(notes, name, *measured);
+    for (const auto& [name, report] : lit.clustered) notes.push_back(clustered_note(name, report));
     for (const auto& [name, m] : assets.mesh_reports) {
         if (m.inverted)
             notes.push_back(

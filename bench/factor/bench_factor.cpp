@@ -29,6 +29,7 @@ std::vector<FactorFigure> measure(const Options& options) {
     const Peer peer{options.python, scratch.path()};
     std::vector<FactorFigure> all;
     add(all, measure_sampling(peer));
+    add(all, measure_clustered());
     add(all, measure_solvers(peer));
     add(all, measure_threads());
     if (!options.scene.empty()) add(all, measure_scene(options.scene));

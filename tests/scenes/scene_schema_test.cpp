@@ -24,6 +24,7 @@ const std::vector<std::string> every_field{R"({
                   {"forward": [1.5, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "white": 2.5,
   "factorization": {"method": "letter", "model": "svd", "map_form": "cube", "map_size": 21, "guard": 0.75, "samples": 1234, "held_out": 567,
+                    "lighting_sum": "clustered", "lighting_tolerance": 0.0625,
                     "solver": "lsmr", "tolerance": 0.125, "iteration_limit": 31,
                     "stagnation_window": 41, "keep_best": true, "remove_null_vectors": true, "floor": 0.01, "cap": 3.5,
                     "row_weight": 0.5, "smoothness": 0.625, "seam": 0.375, "column_scaling": true,
