@@ -70,7 +70,7 @@ template <class D>
 using Mask = Lanewise<TFromD<D>, D::lanes>;
 
 template <class D>
-constexpr std::size_t Lanes(D) {
+HWY_INLINE std::size_t Lanes(D) {
     return D::lanes;
 }
 template <class D>
