@@ -4,6 +4,7 @@
 
 #include "scenes/assets.hpp"
 #include "scenes/json_text.hpp"
+#include "scenes/texture_images.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
 #include "texunit/image_file.hpp"
