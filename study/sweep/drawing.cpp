@@ -32,7 +32,7 @@ Drawing drawing_of(std::shared_ptr<const Frame> frame, std::function<Framebuffer
 
 Drawing prepare_exact(const Cell& cell, const CellInputs& inputs) {
     return drawing_of(nullptr, [&cell, &inputs] {
-        const LitScene lit{inputs.sampled->lights, inputs.white, inputs.sampled->brdfs, {}};
+        const LitScene lit{inputs.sampled->lights, inputs.white, inputs.sampled->brdfs, {}, {}};
         return exact_picture(cell.scene, *inputs.assets, lit, one_thread).picture;
     });
 }

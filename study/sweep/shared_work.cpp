@@ -72,7 +72,7 @@ std::shared_ptr<const Framebuffer> SharedWork::truth_of(const Cell& cell,
     if (!has_truth(cell.scene)) return nullptr;
     return kept(truth_, keys_of(cell, files_).truth, [&] {
         listen_("exact picture");
-        const LitScene lit{inputs.sampled->lights, inputs.white, inputs.sampled->brdfs, {}};
+        const LitScene lit{inputs.sampled->lights, inputs.white, inputs.sampled->brdfs, {}, {}};
         return exact_picture(cell.scene, *inputs.assets, lit, threads_).picture;
     });
 }
