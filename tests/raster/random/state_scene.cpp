@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scenes/texture_images.hpp"
 #include "scenes/frame.hpp"
 #include "scenes/scene_file.hpp"
 #include "tests/raster/builders.hpp"
