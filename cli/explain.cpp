@@ -43,23 +43,33 @@ void print_table(Preset preset) {
     fmt::print("\n{}\n", exactness_sentence(preset));
 }
 
-/// A lighting function that stands for one not yet factored: one white texel a face, scale 1.
-FactoredLighting stand_in(const FactorSettings& settings) {
+/// A lighting function that stands for one not yet factored: one white texel a face, scale 1, one
+/// light.
+/// @param vertices of the object's mesh
+FactoredLighting stand_in(const FactorSettings& settings, std::size_t vertices) {
     const MapShape shape{1, settings.guard, settings.map_form};
     const NormalisedChannel white = white_channel(shape);
     ProductTerm term;
     term.t1 = term.t2 = make_factor_map({white, white, white}, shape, "stand-in");
+    if (settings.model == Model::slf) {
+        term.t1.shape.form = MapForm::chart;
+        if (settings.surface_rows == SurfaceRow::vertices) term.vertices.assign(vertices, Rgb(1.0));
+    }
+    term.sum_of_maps = settings.model == Model::prefilter;
     FactoredLighting lighting;
+    lighting.lights.push_back({0.0, 0.0, 1.0}, Rgb(1.0));
     lighting.model = settings.model;
     lighting.terms.assign(static_cast<std::size_t>(settings.terms), term);
     return lighting;
 }
 
 Frame explained_frame(const Scene& scene) {
+    const SceneAssets assets = load_assets(scene);
     FactoredMaterials materials;
     for (const FactoredObject& object : scene.objects)
-        materials[object.material] = stand_in(scene.factorization);
-    return make_frame(scene, load_assets(scene), materials, scene.presets.front());
+        materials[object.material] =
+            stand_in(scene.factorization, assets.meshes.at(object.mesh).positions.size());
+    return make_frame(scene, assets, materials, scene.presets.front());
 }
 
 /// What one pass alone does to a cleared picture: its counted work.
@@ -126,7 +136,8 @@ ExitCode explain_scene(const ExplainOptions& options, const CommonOptions& commo
         }
     }
     const std::string note =
-        "before factoring: rgb_scale is taken as 1; a scale above 4 adds doubling passes";
+        "before factoring: rgb_scale is taken as 1; a scale above 4 adds doubling passes, "
+        "and each signed product takes up to four passes in place of one";
     const std::string triangles =
         "on vectors but for triangles whose coordinates are beyond bounds or whose q changes sign";
     if (common.json) {

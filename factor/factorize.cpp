@@ -10,7 +10,6 @@
 #include "factor/factorize_check.hpp"
 #include "factor/first_guess.hpp"
 #include "factor/refine.hpp"
-#include "factor/scale.hpp"
 #include "factor/solve_channels.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
@@ -23,9 +22,6 @@ namespace {
 /// Fewer samples an unknown than this leave the fit at the mercy of single samples (docs/method.md,
 /// section 8).
 constexpr std::size_t wanted_samples_per_unknown = 10;
-
-/// The search for the best scale looks at no more pairs than this.
-constexpr std::size_t scale_pairs = 4096;
 
 /// One channel on its way from samples to texels: its products, and how they were found.
 struct ChannelResult {
@@ -208,81 +204,7 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
     to.insert(to.end(), more.begin(), more.end());
 }
 
-std::vector<Rgb> view_of(const std::array<ChannelProduct, 3>& channels) {
-    std::size_t knots = 0;
-    for (const ChannelProduct& channel : channels) knots = std::max(knots, channel.view.size());
-    std::vector<Rgb> view(knots, Rgb(1.0));
-    for (int c = 0; c < 3; ++c) {
-        const std::vector<double>& table = channels[static_cast<std::size_t>(c)].view;
-        for (std::size_t k = 0; k < table.size(); ++k) view[k][c] = table[k];
-    }
-    return view;
-}
-
-ProductTerm term_of(const ScaledProduct& product, const MapShape& shape) {
-    const auto& [red, green, blue] = product.channels;
-    ProductTerm term;
-    term.t1 = make_factor_map({red.t1, green.t1, blue.t1}, shape, "t1");
-    term.t2 = make_factor_map({red.t2, green.t2, blue.t2}, shape, "t2");
-    term.view = view_of(product.channels);
-    term.scale_color = product.split.color;
-    term.combiner_scale = product.split.combiner_scale;
-    term.c = product.c;
-    term.subtract = red.subtract;
-    for (int i = 0; i < 3; ++i) {
-        const ChannelProduct& channel = product.channels[static_cast<std::size_t>(i)];
-        if (channel.scale == 0.0) continue;
-        term.max1[i] = exact::exp(channel.t1.log_maximum);
-        term.max2[i] = exact::exp(channel.t2.log_maximum);
-    }
-    return term;
-}
-
-std::span<const PairFootprint> first_pairs(const std::vector<PairFootprint>& pairs) {
-    return std::span(pairs).first(std::min(pairs.size(), scale_pairs));
-}
-
 }  // namespace
-
-void put_error(ChannelFit& fit, const FitError& error) {
-    fit.relative_rms = error.relative_rms;
-    fit.byte_rms = error.byte_rms;
-    fit.log_rms = error.log_rms;
-    fit.median = error.median;
-    fit.p95 = error.p95;
-    fit.psnr = error.psnr;
-}
-
-FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
-                           std::array<ChannelFit, 3> fit, const LightingSamples& judged,
-                           const FactorSettings& settings, double white, int doubling_passes) {
-    const MapShape shape = shape_of(settings);
-    const std::vector<PairFootprint> pairs = footprints_of(judged.at, shape);
-    FactoredLighting result;
-    result.model = settings.model;
-    result.white = white;
-    result.doubling_passes = doubling_passes;
-    result.fit = std::move(fit);
-    std::vector<ScaledProduct> scaled;
-    for (const auto& channels : terms) {
-        scaled.push_back(scaled_product(channels, settings, white, first_pairs(pairs)));
-        append(result.warnings, scaled.back().split.warnings);
-        result.doubling_passes =
-            std::max(result.doubling_passes, scaled.back().split.doubling_passes);
-    }
-    for (ScaledProduct& product : scaled) {
-        product.split = with_doubling(std::move(product.split), result.doubling_passes);
-        result.terms.push_back(term_of(product, shape));
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-        std::vector<ChannelProduct> channel;
-        for (const ScaledProduct& product : scaled) channel.push_back(product.channels[c]);
-        put_error(
-            result.fit[c],
-            fit_error(channel, pairs, channel_of(judged.radiance, static_cast<int>(c)), white));
-    }
-    return result;
-}
 
 FactoredLighting factorize(const LightingSamples& fit, const LightingSamples& held_out,
                            const FactorSettings& settings, double white, int threads) {

@@ -28,16 +28,17 @@ struct ChannelFit {
 /// One product of the sum:
 /// white x scale_color x combiner_scale x 2^doubling_passes x T1(n) x T2(r_v) x view(n.v).
 struct ProductTerm {
-    FactorMap t1;              ///< over the normal n
-    FactorMap t2;              ///< over the reflected view r_v
-    bool constant_t2 = false;  ///< T2 is 1 everywhere: no unit needs to look it up
-    std::vector<Rgb> view;     ///< g at its knots (factor/view_table.hpp), largest 1; empty = 1
-    Rgb scale_color{0.0};      ///< vertex colour, in [0, 1]
-    int combiner_scale = 1;    ///< 1, 2 or 4
-    Rgb max1{0.0};             ///< what T1 was divided by; 0 in a black channel
-    Rgb max2{0.0};             ///< what T2 was divided by
-    Rgb c{0.0};                ///< max t1 max t2 max g / white
-    bool subtract = false;     ///< its passes take it off what is drawn already
+    FactorMap t1;               ///< over the normal n; slf: over the mesh's texture coordinates
+    FactorMap t2;               ///< over the reflected view r_v
+    bool constant_t2 = false;   ///< T2 is 1 everywhere: no unit needs to look it up
+    std::vector<Rgb> view;      ///< g at its knots (factor/view_table.hpp), largest 1; empty = 1
+    Rgb scale_color{0.0};       ///< vertex colour, in [0, 1]
+    int combiner_scale = 1;     ///< 1, 2 or 4
+    Rgb max1{0.0};              ///< what T1 was divided by; 0 in a black channel
+    Rgb max2{0.0};              ///< what T2 was divided by
+    Rgb c{0.0};                 ///< max t1 max t2 max g / white
+    std::vector<Rgb> vertices;  ///< slf: t1 at the mesh's vertices, largest 1, in place of a map
+    bool subtract = false;      ///< its passes take it off what is drawn already
     bool sum_of_maps =
         false;  ///< color x T1 + T2 in place of a product; see factor/prefiltered.hpp
 };
@@ -59,13 +60,31 @@ struct FactoredLighting {
 /// Puts error figures into a channel's report.
 void put_error(ChannelFit& fit, const FitError& error);
 
+/// Pairs that error figures are taken at.
+struct JudgedPairs {
+    std::vector<PairFootprint> pairs;
+    std::vector<Rgb> radiance;
+};
+
+/// The shapes of a term's maps.
+struct TermShapes {
+    MapShape first, second;
+    std::size_t vertices = 0;  ///< in place of the first map; 0: there is a map
+};
+
 /// Puts the channels of the terms together: units and scale of the maps, images, error figures.
 /// @param terms by term, then channel; maps divided by their maxima
 /// @param fit what is known of the fits; the error figures are filled in
 /// @param doubling_passes at least so many
 FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
+                           std::array<ChannelFit, 3> fit, const JudgedPairs& judged,
+                           const TermShapes& shapes, const FactorSettings& settings, double white,
+                           int doubling_passes = 0);
+
+/// The same for two maps of the settings' shape.
+FactoredLighting assembled(std::vector<std::array<ChannelProduct, 3>> terms,
                            std::array<ChannelFit, 3> fit, const LightingSamples& judged,
-                           const FactorSettings& settings, double white, int doubling_passes = 0);
+                           const FactorSettings& settings, double white);
 
 /// Factors samples of the lighting function, each channel for itself. The result has the same bits
 /// at every number of threads.

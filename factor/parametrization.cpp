@@ -41,6 +41,18 @@ MapPoint point_of(Vec3 d, const MapShape& shape) {
     return {static_cast<std::size_t>(face), {on.s / on.q, on.t / on.q}};
 }
 
+TexelFootprint footprint_of(const MapPoint& point, const MapShape& shape) {
+    const Taps x = taps_of(point.st.x, shape.size);
+    const Taps y = taps_of(point.st.y, shape.size);
+    const auto index = [&](int column, int row) {
+        return texel_index({point.face, column, row}, shape);
+    };
+    return {{index(x.first, y.first), index(x.second, y.first), index(x.first, y.second),
+             index(x.second, y.second)},
+            {(1.0 - x.fraction) * (1.0 - y.fraction), x.fraction * (1.0 - y.fraction),
+             (1.0 - x.fraction) * y.fraction, x.fraction * y.fraction}};
+}
+
 ParaboloidTexel on_paraboloid(const MapTexel& texel) {
     return {texel.face == 0 ? Face::front : Face::back, texel.x, texel.y};
 }
@@ -54,16 +66,11 @@ bool outside(const MapTexel& texel, int size) {
 Vec3 pi_2(const SurfaceView& at) { return 2.0 * dot(at.n, at.v) * at.n - at.v; }
 
 TexelFootprint footprint_of(Vec3 d, const MapShape& shape) {
-    const MapPoint point = point_of(d, shape);
-    const Taps x = taps_of(point.st.x, shape.size);
-    const Taps y = taps_of(point.st.y, shape.size);
-    const auto index = [&](int column, int row) {
-        return texel_index({point.face, column, row}, shape);
-    };
-    return {{index(x.first, y.first), index(x.second, y.first), index(x.first, y.second),
-             index(x.second, y.second)},
-            {(1.0 - x.fraction) * (1.0 - y.fraction), x.fraction * (1.0 - y.fraction),
-             (1.0 - x.fraction) * y.fraction, x.fraction * y.fraction}};
+    return footprint_of(point_of(d, shape), shape);
+}
+
+TexelFootprint footprint_at(Vec2 st, const MapShape& shape) {
+    return footprint_of(MapPoint{0, st}, shape);
 }
 
 MapTexel texel_at(std::size_t index, const MapShape& shape) {

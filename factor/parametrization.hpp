@@ -61,6 +61,9 @@ Vec3 pi_2(const SurfaceView& at);
 /// What a unit vector touches: bilinear as OpenGL's LINEAR with CLAMP_TO_EDGE.
 TexelFootprint footprint_of(Vec3 d, const MapShape& shape);
 
+/// What texture coordinates touch in a map of one image.
+TexelFootprint footprint_at(Vec2 st, const MapShape& shape);
+
 /// The texel with a number.
 MapTexel texel_at(std::size_t index, const MapShape& shape);
 

@@ -35,22 +35,6 @@ SparseMatrix regulariser_of(const SparseMatrix& both, std::size_t first, std::si
     return builder.build(count);
 }
 
-/// Both maps at the samples.
-struct Sides {
-    LogRows log;
-    BilinearSide first, second;
-};
-
-Sides sides_of(const LightingSamples& fit, FactorSettings settings) {
-    settings.view_knots = 0;
-    LogRows log = log_rows(fit.at, settings);
-    ProductRows rows = product_rows(log);
-    const std::size_t texels = log.shape.texels();
-    return {std::move(log),
-            {std::move(rows.factors[0]), regulariser_of(rows.regulariser, 0, texels)},
-            {std::move(rows.factors[1]), regulariser_of(rows.regulariser, texels, texels)}};
-}
-
 /// Radiance as it is fitted: from 0 to the cap; what is not finite as 0, and its weight too.
 struct LinearRows {
     Vector values;
@@ -90,7 +74,7 @@ void fit_svd(ChannelResult& result, const Sides& sides, const LinearRows& rows,
     const SignedSum sum =
         fit_signed_sum({sides.first, sides.second, rows.values, rows.weight},
                        static_cast<std::size_t>(settings.terms), settings.rounds, threads);
-    result.parts = positive_parts(sum, sides.log.shape, sides.log.shape);
+    result.parts = positive_parts(sum, sides.shapes);
     result.fit.solver = report_of(sum);
 }
 
@@ -115,18 +99,18 @@ ChannelResult factor_channel(const Sides& sides, std::span<const double> radianc
     ChannelResult result;
     result.fit.counts = counted.treated;
     const std::size_t parts =
-        settings.model == Model::svd ? 4 * static_cast<std::size_t>(settings.terms) : 1;
+        settings.model == Model::nd ? 1 : 4 * static_cast<std::size_t>(settings.terms);
     if (counted.black()) {
-        const NormalisedChannel black = black_channel(sides.log.shape);
-        result.parts.assign(parts, product_of(black, black));
+        const NormalisedChannel first{std::vector<double>(sides.first.footprint.columns(), 0.0)};
+        result.parts.assign(parts, product_of(first, black_channel(sides.shapes.second)));
         for (std::size_t k = 0; k < parts; ++k) result.parts[k].subtract = k % 4 >= 2;
         return result;
     }
     const LinearRows rows = linear_rows(radiance, settings, white);
-    if (settings.model == Model::svd)
-        fit_svd(result, sides, rows, settings, threads);
-    else
+    if (settings.model == Model::nd)
         fit_nd(result, sides, rows, settings, threads);
+    else
+        fit_svd(result, sides, rows, settings, threads);
     return result;
 }
 
@@ -156,6 +140,18 @@ constexpr int most_headroom = 2;
 
 }  // namespace
 
+Sides sides_of(const LightingSamples& fit, FactorSettings settings, int threads) {
+    settings.view_knots = 0;
+    LogRows log = log_rows(fit.at, settings, threads);
+    ProductRows rows = product_rows(log);
+    const std::size_t texels = log.shape.texels();
+    const TermShapes shapes{log.shape, log.shape};
+    return {std::move(log),
+            {std::move(rows.factors[0]), regulariser_of(rows.regulariser, 0, texels)},
+            {std::move(rows.factors[1]), regulariser_of(rows.regulariser, texels, texels)},
+            shapes};
+}
+
 NormalisedDecomposition decompose(const SparseMatrix& first, const SparseMatrix& second,
                                   const Vector& values, RowNorm norm, int threads) {
     const auto divided_by_touch = [&](const SparseMatrix& side, Vector sum) {
@@ -184,13 +180,12 @@ NormalisedDecomposition decompose(const SparseMatrix& first, const SparseMatrix&
     return d;
 }
 
-std::vector<ChannelProduct> positive_parts(const SignedSum& sum, const MapShape& first,
-                                           const MapShape& second) {
+std::vector<ChannelProduct> positive_parts(const SignedSum& sum, const TermShapes& shapes) {
     std::vector<ChannelProduct> parts;
     for (std::size_t j = 0; j < sum.first.size(); ++j)
         for (const auto& [u, v] : {std::pair{1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}}) {
-            parts.push_back(product_of(signed_part(sum.first[j], u, first),
-                                       signed_part(sum.second[j], v, second)));
+            parts.push_back(product_of(signed_part(sum.first[j], u, shapes.first),
+                                       signed_part(sum.second[j], v, shapes.second)));
             parts.back().subtract = u != v;
         }
     return parts;
@@ -233,24 +228,30 @@ int headroom(const std::vector<std::array<ChannelProduct, 3>>& parts,
     return doubling;
 }
 
-FactoredLighting factor_separable(const MaterialSamples& samples, const FactorSettings& settings,
+FactoredLighting fitted_separably(const Sides& sides, const std::vector<Rgb>& radiance,
+                                  const JudgedPairs& judged, const FactorSettings& settings,
                                   double white, int threads) {
-    const auto& [fit, held_out] = samples;
-    check_arguments(fit, held_out, settings, white);
-    const Sides sides = sides_of(fit, settings);
     std::array<ChannelResult, 3> channels;
     parallel_for(3, threads, [&](std::size_t c) {
-        channels[c] = factor_channel(sides, channel_of(samples.fit.radiance, static_cast<int>(c)),
-                                     settings, white, threads);
+        channels[c] = factor_channel(sides, channel_of(radiance, static_cast<int>(c)), settings,
+                                     white, threads);
     });
     std::vector<std::array<ChannelProduct, 3>> parts;
     for (std::size_t k = 0; k < channels[0].parts.size(); ++k)
         parts.push_back({channels[0].parts[k], channels[1].parts[k], channels[2].parts[k]});
     parts = drawn_parts(std::move(parts), white);
-    const LightingSamples& judged = held_out.at.empty() ? fit : held_out;
-    const int doubling = headroom(parts, footprints_of(judged.at, sides.log.shape), white);
+    const int doubling = headroom(parts, judged.pairs, white);
     return assembled(std::move(parts), {channels[0].fit, channels[1].fit, channels[2].fit}, judged,
-                     settings, white, doubling);
+                     sides.shapes, settings, white, doubling);
+}
+
+FactoredLighting factor_separable(const MaterialSamples& samples, const FactorSettings& settings,
+                                  double white, int threads) {
+    check_arguments(samples.fit, samples.held_out, settings, white);
+    const LightingSamples& judged = samples.held_out.at.empty() ? samples.fit : samples.held_out;
+    return fitted_separably(sides_of(samples.fit, settings, threads), samples.fit.radiance,
+                            {footprints_of(judged.at, shape_of(settings)), judged.radiance},
+                            settings, white, threads);
 }
 
 }  // namespace twofold

@@ -1,10 +1,26 @@
 #pragma once
 #include "factor/bilinear_fit.hpp"
 #include "factor/factorize.hpp"
+#include "factor/system.hpp"
 
 /// The two relatives that are sums of products of the same two maps: `svd` (seed equation 2) and
 /// `nd`, normalised decomposition.
 namespace twofold {
+
+/// Both sides at the samples of a fit.
+struct Sides {
+    LogRows log;  ///< counts the samples
+    BilinearSide first, second;
+    TermShapes shapes;
+};
+
+/// Both maps, with the rows of the paper's fit.
+Sides sides_of(const LightingSamples& fit, FactorSettings settings, int threads);
+
+/// What the settings' model, svd, slf or nd, makes of the samples.
+FactoredLighting fitted_separably(const Sides& sides, const std::vector<Rgb>& radiance,
+                                  const JudgedPairs& judged, const FactorSettings& settings,
+                                  double white, int threads);
 
 /// `svd`: settings.terms signed products in least squares of the absolute error, over the pairs
 /// that exist, with the smoothness and seam rows of the paper's fit. Hardware has no signs: each
@@ -32,8 +48,7 @@ NormalisedDecomposition decompose(const SparseMatrix& first, const SparseMatrix&
 
 /// The positive maps of signed products, a channel at a time: for each product
 /// u+ v+, u- v-, u+ v-, u- v+; black where a part is empty.
-std::vector<ChannelProduct> positive_parts(const SignedSum& sum, const MapShape& first,
-                                           const MapShape& second);
+std::vector<ChannelProduct> positive_parts(const SignedSum& sum, const TermShapes& shapes);
 
 /// The parts as they are drawn: those that are added before those that are subtracted, so that
 /// nothing is clamped at 0 on the way; without those below half a step of 255 everywhere in all

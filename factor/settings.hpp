@@ -17,6 +17,10 @@ enum class Model { product, svd, nd, mccool, slf, prefilter };
 /// The norm of a row that normalised decomposition divides by: mean, root mean square, or largest.
 enum class RowNorm { one, two, max };
 
+/// The rows of a surface light field: the mesh's vertices, or the texels of a chart over its
+/// texture coordinates.
+enum class SurfaceRow { vertices, texels };
+
 /// The images that a factor map is: two paraboloids, the six faces of a cube map, or OpenGL's
 /// sphere map, which is tied to the eye. The last two are no choice of a scene: the one paraboloid
 /// of a direction in the frame of the surface (mccool), and a texture over a mesh's coordinates
@@ -59,7 +63,8 @@ struct FactorSettings {
     double view_smoothness = 0.1;  ///< of the second differences of the knots; 0 = off
     int terms = 1;  ///< J: products that passes add up, each its own maps; signed with svd and slf
     int rounds = 20;  ///< of alternating least squares over all terms, with svd and slf
-    RowNorm row_norm = RowNorm::two;  ///< of nd
+    RowNorm row_norm = RowNorm::two;                 ///< of nd
+    SurfaceRow surface_rows = SurfaceRow::vertices;  ///< of slf
     int refinement = 0;               ///< steps of the fit to linearly filtered texels; 0 = none
     double refinement_weight = 0.75;  ///< its row weights are (L_i / mean L)^this / L_i
     ScaleRule scale = ScaleRule::maximum;

@@ -86,11 +86,11 @@ Frame make_frame(const Scene& scene, const SceneAssets& assets, const FactoredMa
     std::map<std::string, std::vector<std::size_t>> factor_textures;
     for (const FactoredObject& object : scene.objects) {
         const FactoredLighting& lighting = lighting_of(materials, object.material);
-        const FactorMap& t1 = lighting.terms.at(0).t1;
+        const FactorMap& map = lighting.terms.at(0).t2;
         require_size(
             scene, "factorization.map_size", preset,
-            t1.shape.form == MapForm::cube ? TextureTarget::cube_map : TextureTarget::texture_2d,
-            t1.bytes[0]);
+            map.shape.form == MapForm::cube ? TextureTarget::cube_map : TextureTarget::texture_2d,
+            map.bytes[0]);
         std::vector<std::size_t>& textures = factor_textures[object.material];
         for (std::size_t k = textures.size(); k < lighting.terms.size(); ++k)
             textures.push_back(add_factor_textures(b.frame, lighting.terms[k],

@@ -10,6 +10,7 @@
 #include "factor/lighting.hpp"
 #include "scenes/camera.hpp"
 #include "scenes/measured_file.hpp"
+#include "scenes/surface_samples.hpp"
 #include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/image_file.hpp"
@@ -132,6 +133,39 @@ DistantLights lights_about_maps(const Scene& scene, const DistantLights& lights)
                : lights;
 }
 
+/// Turns directions into the frame of the maps.
+SurfaceSamples about_maps(SurfaceSamples samples, const Scene& scene) {
+    if (scene.factorization.map_form != MapForm::sphere) return samples;
+    const Mat3 turn{view_matrix(scene.camera)};
+    for (SurfaceView& at : samples.lighting.at) at = {turn * at.n, turn * at.v};
+    return samples;
+}
+
+/// Samples on the surfaces of the objects instead of over all directions, and no others.
+SampledScene with_surfaces(SampledScene sampled, const Scene& scene, int threads,
+                           const StepListener& listen) {
+    const SceneAssets assets = load_assets(scene);
+    for (const auto& [name, brdf] : sampled.brdfs) {
+        listen("sample " + name);
+        const auto object =
+            std::find_if(scene.objects.begin(), scene.objects.end(),
+                         [&](const FactoredObject& one) { return one.material == name; });
+        const Surface surface{assets.meshes.at(object->mesh), object->mesh, model_matrix(*object)};
+        const FactorSettings& settings = scene.factorization;
+        const auto samples = [&](int count, std::uint64_t sequence) {
+            return about_maps(surface_samples(surface, brdf, sampled.lights.lights, settings, count,
+                                              sequence, threads),
+                              scene);
+        };
+        sampled.surfaces[name] = {rows_of(surface, settings),
+                                  samples(settings.samples, fit_sequence),
+                                  samples(settings.held_out, held_out_sequence)};
+        sampled.samples[name] = {sampled.surfaces[name].fit.lighting,
+                                 sampled.surfaces[name].held_out.lighting};
+    }
+    return sampled;
+}
+
 }  // namespace
 
 SceneLights make_lights(const Scene& scene) {
@@ -171,6 +205,8 @@ SampledScene sample_scene(const Scene& scene, int threads, const StepListener& l
     const FactorSettings& settings = scene.factorization;
     listen("materials");
     sampled.brdfs = used_materials(scene, threads);
+    if (settings.model == Model::slf)
+        return with_surfaces(std::move(sampled), scene, threads, listen);
     for (const auto& [name, brdf] : sampled.brdfs) {
         listen("sample " + name);
         Sampled made = material_samples(brdf, sampled.about_maps, settings, threads);
@@ -187,6 +223,10 @@ SampledScene first_samples(const SampledScene& sampled, int count) {
         samples.fit.at.resize(std::min(samples.fit.at.size(), wanted));
         samples.fit.radiance.resize(samples.fit.at.size());
     }
+    for (auto& [name, surface] : result.surfaces) {
+        surface.fit.lighting = result.samples.at(name).fit;
+        surface.fit.rows.resize(surface.fit.lighting.at.size());
+    }
     return result;
 }
 
@@ -197,7 +237,10 @@ LitScene factor_scene(const Scene& scene, const SampledScene& sampled, double wh
     for (const auto& [name, s] : sampled.samples) {
         listen("factor " + name);
         FactoredLighting lighting =
-            approximate(lit.brdfs.at(name), sampled.about_maps, s, settings, lit.white, threads);
+            settings.model == Model::slf
+                ? factor_surface(sampled.surfaces.at(name), settings, lit.white, threads)
+                : approximate(lit.brdfs.at(name), sampled.about_maps, s, settings, lit.white,
+                              threads);
         for (std::string& w : sampling_warnings(lit.brdfs.at(name), settings.map_size))
             lighting.warnings.push_back(std::move(w));
         lit.materials.emplace(name, std::move(lighting));

@@ -8,6 +8,7 @@
 #include "factor/clustered_lighting.hpp"
 #include "factor/environment.hpp"
 #include "factor/samples.hpp"
+#include "factor/surface_light_field.hpp"
 #include "scenes/frame.hpp"
 
 /// The work before anything is drawn: the environment becomes a list of lights, each material's
@@ -45,6 +46,7 @@ struct SampledScene {
     std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     std::map<std::string, MaterialSamples> samples;
     std::map<std::string, ClusterReport> clustered;  ///< materials that the clustered sum sampled
+    std::map<std::string, SurfaceField> surfaces;  ///< slf: the same samples, and where they lie
 };
 
 /// Samples the materials that objects use, as many times as the scene's factorization says.

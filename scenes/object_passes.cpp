@@ -60,6 +60,13 @@ std::vector<Vec4> sphere_coordinates(const FrameBuilder& b, const FactoredObject
     return coordinates;
 }
 
+/// The term's colour times t1 at each vertex.
+std::vector<Vec4> row_colors(const ProductTerm& term) {
+    std::vector<Vec4> colors;
+    for (const Rgb value : term.vertices) colors.emplace_back(term.scale_color * value, 1.0);
+    return colors;
+}
+
 /// Where a term's images and mesh went in the frame.
 struct PlacedTerm {
     const ProductTerm& term;
@@ -73,29 +80,37 @@ PlacedTerm place(FrameBuilder& b, const FactoredObject& object, const ProductTer
     const bool viewed = !term.view.empty();
     const bool spherical = term.t1.shape.form == MapForm::sphere;
     const std::size_t own = b.meshes.at(object.mesh);
-    if (!viewed && !spherical) return {term, textures, own};
+    if (!viewed && !spherical && term.vertices.empty()) return {term, textures, own};
     Mesh mesh = b.frame.meshes[own];
-    mesh.colors.clear();
+    mesh.colors = row_colors(term);
     if (viewed) mesh.colors = viewed_colors(b, object, term, mesh);
     if (spherical) mesh.texcoords[0] = sphere_coordinates(b, object, mesh);
     b.frame.meshes.push_back(std::move(mesh));
     return {term, textures, b.frame.meshes.size() - 1};
 }
 
-/// One pass: one image of each map. A sum of two maps takes ADD in place of MODULATE.
+/// The unit of t1: of a map of directions, or of one over the mesh's own coordinates.
+TextureUnitState first_unit(const FrameBuilder& b, const PlacedTerm& placed, std::size_t image) {
+    if (placed.term.t1.shape.form == MapForm::chart) return unit_with(placed.textures);
+    return factor_unit(b, TexGen::normal_map, placed.textures, image, placed.term.t1.shape);
+}
+
+/// One pass: one image of each map. A sum of two maps takes ADD in place of MODULATE. Where t1 is
+/// in the vertex colours, one unit is enough.
 PassState term_state(const FrameBuilder& b, const FactoredObject& object, const PlacedTerm& placed,
                      std::size_t i, std::size_t j) {
     const ProductTerm& term = placed.term;
-    const MapShape& shape = term.t1.shape;
+    const MapShape& shape = term.t2.shape;
     PassState state = object_state(b, object);
     state.color = Vec4{term.scale_color, 1.0};
     if (shape.form == MapForm::dual_paraboloid)
         state.alpha_test = AlphaTest{CompareFunc::gequal, 1.0};
-    state.units[0] = factor_unit(b, TexGen::normal_map, placed.textures, i, shape);
+    const bool by_vertex = !term.vertices.empty();
+    if (!by_vertex) state.units[0] = first_unit(b, placed, i);
     if (!term.constant_t2)
-        state.units[1] =
+        state.units[by_vertex ? 0 : 1] =
             factor_unit(b, TexGen::reflection_map, placed.textures + term.t1.real.size(), j, shape);
-    std::optional<TextureUnitState>& last = state.units[term.constant_t2 ? 0 : 1];
+    std::optional<TextureUnitState>& last = state.units[term.constant_t2 || by_vertex ? 0 : 1];
     last->env.rgb_scale = term.combiner_scale;
     if (term.sum_of_maps) last->env.mode = TexEnvMode::add;
     return state;
@@ -108,6 +123,10 @@ PassState blended_over(PassState state, const ProductTerm& term) {
     const BlendEquation equation =
         term.subtract ? BlendEquation::reverse_subtract : BlendEquation::add;
     return drawn_over(std::move(state), {BlendFactor::one, BlendFactor::one, equation, Vec4{0.0}});
+}
+
+std::size_t t1_images(const ProductTerm& term) {
+    return term.vertices.empty() ? term.t1.real.size() : 1;
 }
 
 std::size_t t2_images(const ProductTerm& term) {
@@ -123,7 +142,7 @@ std::size_t t2_images(const ProductTerm& term) {
 void add_term_passes(FrameBuilder& b, const FactoredObject& object,
                      const std::vector<PlacedTerm>& placed) {
     const ProductTerm& first = placed[0].term;
-    for (std::size_t i = 0; i < first.t1.real.size(); ++i)
+    for (std::size_t i = 0; i < t1_images(first); ++i)
         for (std::size_t j = 0; j < t2_images(first); ++j)
             for (std::size_t k = 0; k < placed.size(); ++k) {
                 PassState state = term_state(b, object, placed[k], i, j);
@@ -189,7 +208,7 @@ std::size_t pass_count(const FactoredLighting& lighting) {
     const ProductTerm& first = lighting.terms.at(0);
     const auto doubling = static_cast<std::size_t>(lighting.doubling_passes);
     if (lighting.model == Model::mccool) return lighting.lights.size() + 1 + doubling;
-    return first.t1.real.size() * t2_images(first) * lighting.terms.size() + doubling;
+    return t1_images(first) * t2_images(first) * lighting.terms.size() + doubling;
 }
 
 }  // namespace twofold

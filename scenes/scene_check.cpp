@@ -173,6 +173,19 @@ void check_object(const Checked& checked, const std::string& path, const Factore
     check_normals(checked, path + ".mesh", object.mesh);
 }
 
+/// A surface light field is of one surface.
+void check_one_object_a_material(const Checked& checked) {
+    std::map<std::string, std::size_t> first;
+    for (std::size_t i = 0; i < checked.scene.objects.size(); ++i) {
+        const auto [found, fresh] = first.try_emplace(checked.scene.objects[i].material, i);
+        if (!fresh)
+            checked.fail(fmt::format("objects.{}.material", i),
+                         fmt::format("'{}' is that of objects.{} too, and with the model slf a "
+                                     "material belongs to one object",
+                                     printable(found->first), found->second));
+    }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, std::string_view file, bool may_be_absolute) {
@@ -180,6 +193,7 @@ void check_scene(const Scene& scene, std::string_view file, bool may_be_absolute
     check_paths(checked);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         check_object(checked, fmt::format("objects.{}", i), scene.objects[i]);
+    if (scene.factorization.model == Model::slf) check_one_object_a_material(checked);
     for (std::size_t i = 0; i < scene.passes.size(); ++i)
         check_pass(checked, fmt::format("passes.{}", i), scene.passes[i]);
     for (std::size_t i = 0; i < scene.historical.size(); ++i) {

@@ -22,6 +22,9 @@ inline constexpr std::array model_names{
 inline constexpr std::array row_norm_names{Named{"one", RowNorm::one}, Named{"two", RowNorm::two},
                                            Named{"max", RowNorm::max}};
 
+inline constexpr std::array surface_row_names{Named{"vertices", SurfaceRow::vertices},
+                                              Named{"texels", SurfaceRow::texels}};
+
 inline constexpr std::array map_form_names{Named{"dual_paraboloid", MapForm::dual_paraboloid},
                                            Named{"cube", MapForm::cube},
                                            Named{"sphere", MapForm::sphere}};

@@ -83,6 +83,7 @@ Json json_of(const FactorSettings& settings) {
             {"terms", settings.terms},
             {"rounds", settings.rounds},
             {"row_norm", name_in(row_norm_names, settings.row_norm)},
+            {"surface_rows", name_in(surface_row_names, settings.surface_rows)},
             {"refinement", settings.refinement},
             {"refinement_weight", settings.refinement_weight},
             {"scale", name_in(scale_rule_names, settings.scale)},

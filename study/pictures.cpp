@@ -88,4 +88,11 @@ std::string hash_of(const FactorMap& map) {
     });
 }
 
+std::string hash_of_t1(const ProductTerm& term) {
+    if (term.vertices.empty()) return hash_of(term.t1);
+    return hex_hash([&](Fnv1a& hash) {
+        for (const Rgb& c : term.vertices) hash.f64(c.x).f64(c.y).f64(c.z);
+    });
+}
+
 }  // namespace twofold

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "factor/factor_map.hpp"
+#include "factor/factorize.hpp"
 #include "raster/framebuffer.hpp"
 #include "texunit/texture.hpp"
 
@@ -16,6 +16,9 @@ std::string hash_of(const FactorMap& map);
 
 /// FNV-1a of a texture as byte_image() shows it.
 std::string hash_of(const Texture& texture);
+
+/// FNV-1a of a term's t1: of its map, or of its values at the vertices.
+std::string hash_of_t1(const ProductTerm& term);
 
 ByteImage byte_image(const Framebuffer& picture);
 FloatImage float_image(const Framebuffer& picture);

@@ -58,7 +58,7 @@ Json term_json(const ProductTerm& term) {
         {"max2", rgb_json(term.max2)},
         {"c", rgb_json(term.c)},
         {"view", view},
-        {"hash_t1", hash_of(term.t1)},
+        {"hash_t1", hash_of_t1(term)},
         {"hash_t2", hash_of(term.t2)}};
 }
 
@@ -68,8 +68,8 @@ Json lighting_json(const FactoredLighting& lighting) {
     for (const ProductTerm& term : lighting.terms) terms.push_back(term_json(term));
     return {{"model", name_of(lighting.model)},
             {"passes", pass_count(lighting)},
-            {"map_form", name_of(lighting.terms[0].t1.shape.form)},
-            {"map_size", lighting.terms[0].t1.shape.size},
+            {"map_form", name_of(lighting.terms[0].t2.shape.form)},
+            {"map_size", lighting.terms[0].t2.shape.size},
             {"closed_form", lighting.closed_form},
             {"doubling_passes", lighting.doubling_passes},
             {"terms", terms},
@@ -248,7 +248,7 @@ std::string manifest_json(const RunResult& run) {
     Json factors = Json::object();
     for (const auto& [name, lighting] : run.lit.materials)
         for (std::size_t k = 0; k < lighting.terms.size(); ++k) {
-            factors[name][map_name("t1", k)] = hash_of(lighting.terms[k].t1);
+            factors[name][map_name("t1", k)] = hash_of_t1(lighting.terms[k]);
             factors[name][map_name("t2", k)] = hash_of(lighting.terms[k].t2);
         }
     manifest["results"] = {{"version", program_version()},

@@ -129,7 +129,7 @@ TEST_CASE("the positive parts of signed products add up to them with their signs
         sum.first.push_back(u);
         sum.second.push_back(v);
     }
-    const auto parts = positive_parts(sum, shape, shape);
+    const auto parts = positive_parts(sum, {shape, shape});
     REQUIRE(parts.size() == 8);
     for (std::uint32_t x = 0; x < shape.texels(); x += 3) {
         if (!is_opaque(texel_at(x, shape), shape)) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "factor/approximate.hpp"
 #include "factor/directions.hpp"
 #include "factor/lighting.hpp"
 #include "texunit/exact_math.hpp"
@@ -140,8 +141,9 @@ Judged judge(const Brdf& brdf, const DistantLights& lights, const FactorSettings
     const LightingSamples held_out = red_samples(brdf, lights, held_out_pairs, held_out_sequence);
     std::vector<double> radiance = channel_of(held_out.radiance, 0);
     const double white = white_of(radiance);
-    Judged judged{
-        factorize(red_samples(brdf, lights, samples, sequence), held_out, settings, white, 2)};
+    Judged judged{approximate(brdf, lights,
+                              {red_samples(brdf, lights, samples, sequence), held_out}, settings,
+                              white, 2)};
     const ChannelFit& fit = judged.factors.fit[0];
     judged.relative_rms = fit.relative_rms;
     judged.log_rms = fit.log_rms;

@@ -217,3 +217,51 @@ TEST_CASE("more lights than mccool draws are refused with what to do") {
     CHECK_THROWS_WITH(draw(sphere_scene(R"("model": "mccool", "map_size": 16)")),
                       Catch::Contains("at most 64") && Catch::Contains("directional"));
 }
+
+TEST_CASE("a surface light field draws vertex colours times a map of r") {
+    Scene scene = sphere_scene(R"("model": "slf", "terms": 2, "rounds": 6, "map_form": "cube",
+                                  "map_size": 16)",
+                               phong, three_lights);
+    scene.meshes["s"] = SphereMesh{10};
+    const Drawn slf = draw(scene), card = draw(scene, Preset::nv17);
+    const ProductTerm& first = slf.lighting().terms[0];
+    const Mesh& mesh = slf.frame.meshes.at(slf.frame.passes[0].mesh);
+    REQUIRE(mesh.colors.size() == first.vertices.size());
+    CHECK(mesh.colors[7].x == Approx(first.scale_color.x * first.vertices[7].x));
+    for (const Pass& pass : slf.frame.passes) CHECK_FALSE(pass.state.units[1]);
+    CHECK(rms_difference(slf.picture, card.picture) < 2.0 / 255.0);
+    scene.factorization.terms = 1;
+    CHECK(slf.error < 0.8 * draw(scene).error);
+    CHECK(slf.error < 0.05);
+}
+
+TEST_CASE("on a plane whose radiance is a product the surface light field is exact") {
+    // One normal: L is a function of r alone, and t1 is constant over vertices and texels.
+    for (const std::string rows : {"vertices", "texels"}) {
+        CAPTURE(rows);
+        Scene scene = sphere_scene(
+            R"("model": "slf", "smoothness": 0.05, "map_form": "sphere", "map_size": 32, "surface_rows": ")" +
+                rows + "\"",
+            R"({"modified_phong": {"exponent": 5}})", three_lights);
+        scene.meshes["s"] = QuadMesh{};
+        const Drawn drawn = draw(scene);
+        CHECK(drawn.lighting().fit[0].relative_rms < 0.02);
+        const ProductTerm& term = drawn.lighting().terms[0];
+        const std::vector<double> t1 = reds_of(term.t1);
+        if (rows == "vertices")
+            for (const Rgb& value : term.vertices) CHECK(value.x == Approx(1.0).margin(0.02));
+        else
+            CHECK(*std::min_element(t1.begin(), t1.end()) > 0.9);
+        CHECK(drawn.error < 3.0 / 255.0);
+    }
+}
+
+TEST_CASE("a surface light field needs one object a material, and coordinates for its texels") {
+    CHECK_THROWS_WITH(draw(sphere_scene(R"("model": "slf", "surface_rows": "texels")")),
+                      Catch::Contains("'s' has no texture coordinates"));
+    const std::string two = R"({"environment": {"painted": {}}, "factorization": {"model": "slf"},
+        "materials": {"m": {"modified_phong": {}}}, "meshes": {"s": {"sphere": {}}},
+        "objects": [{"mesh": "s", "material": "m"}, {"mesh": "s", "material": "m"}]})";
+    CHECK_THROWS_WITH(parse_scene(two, "t.json", "/"),
+                      Catch::Contains("objects.1.material: 'm' is that of objects.0 too"));
+}
