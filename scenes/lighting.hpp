@@ -46,7 +46,7 @@ struct SampledScene {
     std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     std::map<std::string, MaterialSamples> samples;
     std::map<std::string, ClusterReport> clustered;  ///< materials that the clustered sum sampled
-    std::map<std::string, SurfaceField> surfaces;  ///< slf: the same samples, and where they lie
+    std::map<std::string, SurfaceField> surfaces;    ///< slf: the same samples, and where they lie
 };
 
 /// Samples the materials that objects use, as many times as the scene's factorization says.
@@ -61,7 +61,7 @@ struct LitScene {
     double white = 1.0;
     std::map<std::string, Brdf> brdfs;  ///< those that objects use, measured ones loaded
     FactoredMaterials materials;
-    std::map<std::string, ClusterReport> clustered;  ///< materials that the clustered sum sampled
+    std::map<std::string, ClusterReport> clustered{};  ///< materials that the clustered sum sampled
 };
 
 /// Factors what was sampled by the scene's settings.
