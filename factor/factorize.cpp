@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -105,20 +104,17 @@ void solve(std::array<Channel, 3>& channels, const LogRows& left, const FactorSe
         Channel& channel = channels[c];
         if (!channel.right.black()) channel.system.emplace(left, channel.right, settings, threads);
     });
-    const StopRule rule{.tolerance = settings.tolerance,
-                        .iteration_limit = settings.iteration_limit,
-                        .window = settings.stagnation_window,
-                        .keep_best = settings.keep_best};
     std::vector<Channel*> lit;
-    for (Channel& channel : channels)
-        if (channel.system) lit.push_back(&channel);
     std::vector<const WeightedSystem*> systems;
     std::vector<Vector> start;
-    for (const Channel* channel : lit) {
-        systems.push_back(&*channel->system);
-        start.push_back(channel->system->scaled_unknowns(channel->guess.x));
+    for (Channel& channel : channels) {
+        if (!channel.system) continue;
+        lit.push_back(&channel);
+        systems.push_back(&*channel.system);
+        start.push_back(channel.system->scaled_unknowns(channel.guess.x));
     }
-    auto solutions = solve_channels(settings.solver, systems, start, rule, threads);
+    auto solutions =
+        solve_channels(settings.solver, systems, start, stop_rule_of(settings), threads);
     for (std::size_t k = 0; k < lit.size(); ++k) {
         const WeightedSystem& system = *systems[k];
         solutions[k].x = system.gauge().balanced(system.unknowns(solutions[k].x));

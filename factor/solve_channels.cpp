@@ -26,6 +26,13 @@ std::vector<Solution> lsmr_together(const RowPasses& make, const std::vector<Vec
 
 }  // namespace
 
+StopRule stop_rule_of(const FactorSettings& settings) {
+    return {.tolerance = settings.tolerance,
+            .iteration_limit = settings.iteration_limit,
+            .window = settings.stagnation_window,
+            .keep_best = settings.keep_best};
+}
+
 std::vector<Solution> solve_channels(Solver solver,
                                      const std::vector<const WeightedSystem*>& systems,
                                      const std::vector<Vector>& start, const StopRule& rule,
