@@ -65,7 +65,7 @@ Framebuffer render(const M& m, const Frame& frame) {
     RenderTarget<M> target = first_target(m, frame);
     DrawCounters counters;
     for (const Pass& pass : frame.passes)
-        draw_pass(bind(m, normalized(pass.state), frame.color_format, textures, white),
+        draw_pass(twofold::bind(m, normalized(pass.state), frame.color_format, textures, white),
                   frame.meshes[pass.mesh], target, counters);
     return finished(m, target, counters);
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "scenes/texture_images.hpp"
 #include "scenes/frame.hpp"
 #include "scenes/scene_file.hpp"
+#include "scenes/texture_images.hpp"
 #include "tests/raster/builders.hpp"
 #include "tests/raster/random/random_parts.hpp"
 #include "texunit/atomic_file.hpp"
