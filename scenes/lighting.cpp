@@ -141,27 +141,35 @@ SurfaceSamples about_maps(SurfaceSamples samples, const Scene& scene) {
     return samples;
 }
 
-/// Samples on the surfaces of the objects instead of over all directions, and no others.
+/// The surface of the one object that has a material.
+Surface surface_with(const std::string& material, const Scene& scene, const SceneAssets& assets) {
+    const auto object =
+        std::find_if(scene.objects.begin(), scene.objects.end(),
+                     [&](const FactoredObject& one) { return one.material == material; });
+    return {assets.meshes.at(object->mesh), object->mesh, model_matrix(*object)};
+}
+
+SurfaceField sample_surface(const Surface& surface, const Scene& scene, const Brdf& brdf,
+                            const DistantLights& lights, int threads) {
+    const FactorSettings& settings = scene.factorization;
+    const auto samples = [&](int count, std::uint64_t sequence) {
+        return about_maps(
+            surface_samples(surface, brdf, lights, settings, count, sequence, threads), scene);
+    };
+    return {rows_of(surface, settings), samples(settings.samples, fit_sequence),
+            samples(settings.held_out, held_out_sequence)};
+}
+
+/// Samples on the surfaces of the objects instead of over all directions.
 SampledScene with_surfaces(SampledScene sampled, const Scene& scene, int threads,
                            const StepListener& listen) {
     const SceneAssets assets = load_assets(scene);
     for (const auto& [name, brdf] : sampled.brdfs) {
         listen("sample " + name);
-        const auto object =
-            std::find_if(scene.objects.begin(), scene.objects.end(),
-                         [&](const FactoredObject& one) { return one.material == name; });
-        const Surface surface{assets.meshes.at(object->mesh), object->mesh, model_matrix(*object)};
-        const FactorSettings& settings = scene.factorization;
-        const auto samples = [&](int count, std::uint64_t sequence) {
-            return about_maps(surface_samples(surface, brdf, sampled.lights.lights, settings, count,
-                                              sequence, threads),
-                              scene);
-        };
-        sampled.surfaces[name] = {rows_of(surface, settings),
-                                  samples(settings.samples, fit_sequence),
-                                  samples(settings.held_out, held_out_sequence)};
-        sampled.samples[name] = {sampled.surfaces[name].fit.lighting,
-                                 sampled.surfaces[name].held_out.lighting};
+        const SurfaceField field = sample_surface(surface_with(name, scene, assets), scene, brdf,
+                                                  sampled.lights.lights, threads);
+        sampled.samples[name] = {field.fit.lighting, field.held_out.lighting};
+        sampled.surfaces[name] = field;
     }
     return sampled;
 }
