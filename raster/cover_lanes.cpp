@@ -122,7 +122,7 @@ class IntegerDepth {
     /// Divisions are done only where they could make a difference.
     HWY_INLINE VI depth_at(RowPixels p) const {
         const auto low = fixed(hn::Add(first_, low_)), high = fixed(hn::Add(first_, high_));
-        const bool sure = hn::AllFalse(U(), hn::Or(in_doubt(low), in_doubt(high)));
+        const bool sure = hn::AllFalse(DI(), in_doubt(low, high));
         if (HWY_LIKELY(t_.near_depth_usable && sure)) return floors(low, high);
         return quantised_depth(t_, rule_, p);
     }

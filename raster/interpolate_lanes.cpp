@@ -134,9 +134,8 @@ HWY_INLINE void place_near(const Triangle& t, const ByteCorners& c, const Shader
     const auto v_low = fixed(hn::Mul(p.at(Near::y, x.low, y.low), over_q.low));
     const auto u_high = fixed(hn::Mul(p.at(Near::x, x.high, y.high), over_q.high));
     const auto v_high = fixed(hn::Mul(p.at(Near::y, x.high, y.high), over_q.high));
-    const auto doubt = hn::Or(hn::Or(in_doubt(u_low), in_doubt(v_low)),
-                              hn::Or(in_doubt(u_high), in_doubt(v_high)));
-    if (HWY_LIKELY(hn::AllFalse(U(), doubt)))
+    const auto doubt = hn::Or(in_doubt(u_low, u_high), in_doubt(v_low, v_high));
+    if (HWY_LIKELY(hn::AllFalse(DI(), doubt)))
         store(footprints_at(s.unit[u].image, floors(u_low, u_high), floors(v_low, v_high)), u, i,
               out);
     else

@@ -53,12 +53,6 @@ HWY_INLINE V at(const Plane& p, V x, V y) {
 /// A number below 2^31 in magnitude rounded to units of 2^-19, in the lower bits of a word.
 HWY_INLINE hn::Vec<U> fixed(V x) { return hn::BitCast(U(), hn::Add(x, hn::Set(D(), 0x1.8p33))); }
 
-/// Whether the floor of such a number could be another's that is within 2^-21 of it.
-HWY_INLINE hn::Mask<U> in_doubt(hn::Vec<U> x) {
-    const U u;
-    return hn::Eq(hn::And(hn::Add(x, hn::Set(u, 1)), hn::Set(u, 0x7fffe)), hn::Zero(u));
-}
-
 /// The lower halves of the words of two vectors.
 HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
     const DI di;
@@ -67,6 +61,13 @@ HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
 #else
     return hn::ConcatEven(di, hn::BitCast(di, high), hn::BitCast(di, low));
 #endif
+}
+
+/// Whether the floors of two vectors of such numbers could be others' that are within 2^-21 of them.
+HWY_INLINE hn::Mask<DI> in_doubt(hn::Vec<U> low, hn::Vec<U> high) {
+    const DI di;
+    const VI raised = hn::Add(lower_halves(low, high), hn::Set(di, 1));
+    return hn::Eq(hn::And(raised, hn::Set(di, 0x7fffe)), hn::Zero(di));
 }
 
 /// The floors of two vectors of such numbers.
