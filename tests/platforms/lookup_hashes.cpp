@@ -5,25 +5,16 @@
 namespace twofold::platforms {
 namespace {
 
-std::vector<Rgba8> texels(std::uint64_t seed, int size) {
-    std::vector<Rgba8> result;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-         ++i) {
-        const std::uint32_t word = random_u32(seed, i);
-        result.push_back({static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8),
-                          static_cast<std::uint8_t>(word >> 16),
-                          static_cast<std::uint8_t>(word >> 24)});
-    }
-    return result;
-}
-
 Texture texture(int border) {
     const int size = 16 + 2 * border;
-    Texture t{size, size, texels(1, size)};
+    const auto texels = [size](std::uint64_t seed) {
+        return random_texels(seed, static_cast<std::size_t>(size * size));
+    };
+    Texture t{size, size, texels(1)};
     t.border = border;
     t.mipmaps = box_mipmaps(size, size, t.texels, border);
     for (std::uint64_t face = 2; face < 7; ++face)
-        t.cube_faces.push_back({size, size, texels(face, size), {}});
+        t.cube_faces.push_back({size, size, texels(face), {}});
     return t;
 }
 

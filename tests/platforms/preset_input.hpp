@@ -51,6 +51,16 @@ typename M::Real fraction(const M&, std::size_t i, std::size_t place) {
     return static_cast<typename M::Real>(real(i, place, 0.0, 0.999));
 }
 
+inline std::vector<Rgba8> random_texels(std::uint64_t seed, std::size_t count) {
+    std::vector<Rgba8> texels;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t word = random_u32(seed, i);
+        const auto byte = [word](int k) { return static_cast<std::uint8_t>(word >> 8 * k); };
+        texels.push_back({byte(0), byte(1), byte(2), byte(3)});
+    }
+    return texels;
+}
+
 /// "stage/preset/what".
 template <NumericModel M>
 std::string preset_name(const char* stage, const M&, std::string_view what) {
