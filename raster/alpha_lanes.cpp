@@ -32,10 +32,15 @@ struct Cells {
         end = hn::Add(cell(hn::Add(high, margin), size, cell_bits), hn::Set(DI(), 1));
     }
 
+    /// Half a texel less, rounded to an integer by 2^23; a whole place may give the cell below, which
+    /// the margin allows for.
     static HWY_INLINE VI cell(VF place, int size, int cell_bits) {
         const F f;
-        const VF inside = hn::Min(hn::Max(place, hn::Zero(f)), hn::Set(f, static_cast<float>(size - 1)));
-        return hn::ShiftRightSame(hn::ConvertTo(DI(), inside), cell_bits);
+        const VF inside = hn::Min(hn::Max(place, hn::Set(f, 0.5f)),
+                                  hn::Set(f, static_cast<float>(size) - 0.5f));
+        const VF rounded = hn::Add(hn::Sub(inside, hn::Set(f, 0.5f)), hn::Set(f, 0x1p23f));
+        const VI texel = hn::And(hn::BitCast(DI(), rounded), hn::Set(DI(), 0x7fffff));
+        return hn::ShiftRightSame(texel, cell_bits);
     }
 };
 

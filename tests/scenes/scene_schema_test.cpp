@@ -155,7 +155,7 @@ const std::vector<std::string> every_field{R"({
      "combiners": null, "color_sum": true, "fog": null, "scissor": null,
      "alpha_test": null, "depth_test": null, "blend": null, "color_mask": [true, true, true, false], "dither": true}],
   "presets": ["nv17", "custom", "coarse8", "nv2x", "gl13"],
-  "custom": {"filter_weight_bits": 5, "filter_rounding": "once", "product_rounding": "shift",
+  "custom": {"texel_bits": 7, "filter_weight_bits": 5, "filter_rounding": "once", "product_rounding": "shift",
              "register_bits": 11, "vertex_color": "floor", "snap_bits": 7, "snap_bias": 0.25,
              "framebuffer_bits": 6}
 })",
