@@ -52,7 +52,7 @@ FactoredLighting stand_in(const FactorSettings& settings, std::size_t vertices) 
     ProductTerm term;
     term.t1 = term.t2 = make_factor_map({white, white, white}, shape, "stand-in");
     if (settings.model == Model::slf) {
-        term.t1.shape.form = MapForm::chart;
+        term.t1 = make_factor_map({white, white, white}, {1, 1.0, MapForm::chart}, "stand-in");
         if (settings.surface_rows == SurfaceRow::vertices) term.vertices.assign(vertices, Rgb(1.0));
     }
     term.sum_of_maps = settings.model == Model::prefilter;
