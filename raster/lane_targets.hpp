@@ -11,6 +11,8 @@
 #define HWY_DISABLED_TARGETS                                                            \
     (HWY_SSSE3 | HWY_AVX3_DL | TWOFOLD_NO_BINARY64 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
      HWY_SVE2_128 | HWY_RVV)
+// ARM: the vectors that the compiler is told of. With others g++ refuses arrays of vectors.
+#define TOOLCHAIN_MISS_SYS_AUXV_H
 #define HWY_DISABLE_PCLMUL_AES
 #define HWY_DISABLE_F16C
 // Highway leaves its portable vectors out with g++ before 12.3, whose vectoriser compiles MulHigh
