@@ -92,11 +92,15 @@ TEST_CASE("R08 two triangles get the same new vertex on the edge they share", "[
         const auto one = clipped(a, b, {-20, 20, 0, 1}), two = clipped(b, a, {25, -20, 0, 1});
         if (one.result != ClipResult::cut || two.result != ClipResult::cut) continue;
         // The corners of both polygons that lie on the line a b: a's side of the cut.
-        int shared = 0;
+        int shared = 0, alike = 0;
         for (std::size_t j = 0; j < one.size; ++j)
-            for (std::size_t k = 0; k < two.size; ++k)
-                shared += one.vertices[j].clip == two.vertices[k].clip;
+            for (std::size_t k = 0; k < two.size; ++k) {
+                if (one.vertices[j].clip != two.vertices[k].clip) continue;
+                ++shared;
+                alike += one.vertices[j].color == two.vertices[k].color;
+            }
         CHECK(shared >= 2);
+        CHECK(alike == shared);
     }
 }
 

@@ -255,6 +255,10 @@ TEST_CASE("R20 the ends of the depth range never wrap", "[hard][R20]") {
         CHECK(depth_rounded(z, 24) == 0);
         CHECK(depth_cut(z, 24) == 0);
     }
+    for (const double z : {1.0 + 0x1p-20, 1.25, 255.0}) {
+        CHECK(depth_rounded(z, 24) == last);
+        CHECK(depth_cut(z, 24) == last);
+    }
     CHECK(depth_rounded(1e300, 24) == last);
     CHECK(depth_cut(1e300, 24) == last);
 }
