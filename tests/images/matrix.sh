@@ -14,7 +14,7 @@ declare -A flags=(
     [clang-O0]="-O0" [clang-O2]="-O2" [clang-O3-native]="-O3 -march=native")
 
 names=("$@")
-[ ${#names[@]} -gt 0 ] || names=(gcc-O2 gcc-sanitize clang-O3-native)
+[ ${#names[@]} -gt 0 ] || names=(gcc-O0 gcc-sanitize clang-O3-native)
 [ "${names[0]}" != all ] || names=("${!compiler[@]}")
 
 passed=0 failed=0
