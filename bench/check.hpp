@@ -30,6 +30,7 @@ struct Check {
     /// Pixels of a frame whose colour may differ by anything; none: all are compared.
     std::function<std::vector<bool>(const Frame&)> left_out = {};
     std::vector<Preset> presets{Preset::gl13, Preset::float32};
+    std::string driver = {};  ///< the only one that can answer; empty: every driver can
 };
 
 /// A row of the report.

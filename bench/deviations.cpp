@@ -14,7 +14,10 @@ struct Entry {
     std::string_view reason;
 };
 
-/// 48 pixels are 3 references of 16 pixels, 64 are 4 functions of 16.
+constexpr std::string_view last_vertex =
+    "NVIDIA takes a quad's last vertex under either convention, which ARB_provoking_vertex allows";
+
+/// 48 pixels are 3 references of 16 pixels, 64 are 4 functions of 16, 128 are those of two alphas.
 constexpr std::array entries{
     Entry{"softpipe", "alpha test with reference 0.5", Preset::gl13, Bound{0, 64},
           "softpipe compares alpha as a float; OpenGL 1.3, 4.1.4 rounds alpha and reference to the "
@@ -29,7 +32,15 @@ constexpr std::array entries{
           "k / 255, which the reference is"},
     Entry{"llvmpipe", "cube map, wraps", std::nullopt, Bound{99, 0},
           "llvmpipe keeps cube map lookups on their face whatever the wrap mode; OpenGL 1.3, 3.8.6 "
-          "treats a face as any image, and so does softpipe"}};
+          "treats a face as any image, and so does softpipe"},
+    Entry{"NVIDIA", "combine dot3_rgba", std::nullopt, Bound{255, 0},
+          "NVIDIA scales the alpha of DOT3_RGBA by RGB_SCALE; we and Mesa by ALPHA_SCALE"},
+    Entry{"NVIDIA", "alpha test with reference 0.5", Preset::gl13, Bound{0, 128},
+          "NVIDIA makes 0.5 the byte 127; gl13 rounds the tie 127.5 to 128"},
+    Entry{"NVIDIA", "alpha test with reference 0.5", Preset::float32, Bound{0, 64},
+          "NVIDIA compares bytes, 0.5 as 127; float32 compares floats by design"},
+    Entry{"NVIDIA", "flat quads, first", std::nullopt, Bound{255, 0}, last_vertex},
+    Entry{"NVIDIA", "flat quad_strip, first", std::nullopt, Bound{255, 0}, last_vertex}};
 
 bool meets(const Entry& entry, const Driver& driver, const std::string& check, Preset preset) {
     return driver.name == entry.driver && check.starts_with(entry.check) &&

@@ -121,8 +121,8 @@ std::vector<Check> wrap_checks() {
     return checks;
 }
 
-/// Gallium's state tracker strips border texels before a driver sees them, so only lookups that
-/// read none can be compared: that they stay unread is what this shows.
+/// Gallium's state tracker strips border texels before a driver sees them, so with Mesa only
+/// lookups that read none can be compared: that they stay unread is what this shows.
 std::vector<Frame> border_frames(Wrap wrap, Filter filter) {
     std::vector<Frame> frames = {wrap_frame(wrap, wrap, filter, BaseFormat::rgba)};
     frames[0].textures = {random_texture(6, 18)};
@@ -132,17 +132,20 @@ std::vector<Frame> border_frames(Wrap wrap, Filter filter) {
 
 std::vector<Check> border_checks() {
     std::vector<Check> checks;
-    const auto add = [&](const char* name, Wrap wrap, Filter filter) {
+    const auto add = [&](const char* name, Wrap wrap, Filter filter, const char* driver = "") {
         const int steps = filter == Filter::linear ? 1 : 0;
-        checks.push_back(
-            {fmt::format("border texels unread by {}", name), {steps, 0}, 2 * steps, [=] {
-                 return border_frames(wrap, filter);
-             }});
+        checks.push_back({fmt::format("border texels {}", name), {steps, 0}, 2 * steps, [=] {
+                              return border_frames(wrap, filter);
+                          }});
+        checks.back().driver = driver;
     };
-    add("repeat, linear", Wrap::repeat, Filter::linear);
-    add("clamp_to_edge, linear", Wrap::clamp_to_edge, Filter::linear);
-    add("mirrored_repeat, linear", Wrap::mirrored_repeat, Filter::linear);
-    add("clamp, nearest", Wrap::clamp, Filter::nearest);
+    add("unread by repeat, linear", Wrap::repeat, Filter::linear);
+    add("unread by clamp_to_edge, linear", Wrap::clamp_to_edge, Filter::linear);
+    add("unread by mirrored_repeat, linear", Wrap::mirrored_repeat, Filter::linear);
+    add("unread by clamp, nearest", Wrap::clamp, Filter::nearest);
+    add("read by clamp, linear", Wrap::clamp, Filter::linear, "NVIDIA");
+    add("read by clamp_to_border, nearest", Wrap::clamp_to_border, Filter::nearest, "NVIDIA");
+    add("read by clamp_to_border, linear", Wrap::clamp_to_border, Filter::linear, "NVIDIA");
     return checks;
 }
 

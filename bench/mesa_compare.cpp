@@ -105,6 +105,7 @@ int compare(const Options& options) {
     std::vector<Row> rows;
     for (const Check& check : all_checks()) {
         if (check.name.find(options.only) == std::string::npos) continue;
+        if (!check.driver.empty() && check.driver != driver.name) continue;
         for (const Row& row : run(driver, check, options)) {
             std::cout << text_of(row) << std::endl;
             rows.push_back(row);

@@ -142,7 +142,7 @@ typename M::Channel combine_function(const M& m, CombineFunction function, int s
     return scaled(a);
 }
 
-/// DOT3_RGBA writes its result, with RGB_SCALE, into alpha too; the alpha function is not looked
+/// DOT3_RGBA writes its result, with ALPHA_SCALE, into alpha too; the alpha function is not looked
 /// at.
 template <NumericModel M>
 Color<typename M::Channel> apply_combine(const M& m, const TexEnv& env,
