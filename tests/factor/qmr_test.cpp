@@ -81,17 +81,6 @@ struct PhongSystem {
     Solution solved(const StopRule& rule) const {
         return solve_qmr(normal_equations(weighted.problem()), right_side(), zero(), rule);
     }
-    /// diag(weight) A D^-1, stored.
-    SparseMatrix rows_in_scaled_unknowns() const {
-        const Vector d = weighted.scaled_unknowns(Vector(left.matrix.columns(), 1.0));
-        RowBuilder builder;
-        for (std::size_t i = 0; i < left.matrix.rows(); ++i) {
-            std::vector<MatrixEntry> row(left.matrix.row(i).begin(), left.matrix.row(i).end());
-            for (MatrixEntry& e : row) e.value = right.weight[i] * e.value / d[e.column];
-            builder.add(row);
-        }
-        return builder.build(left.matrix.columns());
-    }
     /// rms of the rows' residuals.
     double objective(const Vector& y) const {
         return norm(minus(weighted.right_side(), weighted.apply(y))) /
@@ -364,31 +353,26 @@ TEST_CASE("F21 run on past convergence QMR neither diverges nor gets worse", "[h
 
 TEST_CASE("F21 unguarded QMR runs off along the null vector, the guarded one does not",
           "[hard][F21]") {
-    // Once D is multiplied into the stored matrix, rounding gives the null vector an eigenvalue of
-    // 1e-16 squared, and an iteration that goes on long enough finds it.
-    const PhongSystem system(cases::unregularised(16, 0.875), 30000);
-    const SparseMatrix scaled_rows = system.rows_in_scaled_unknowns();
-    const auto product = [&](const Vector& y) {
-        return scaled_rows.multiply_transpose(scaled_rows.multiply(y, 1), 1);
-    };
-    const SquareOperator normal{product, product, 1.0, true};
-    const Vector b = scaled_rows.multiply_transpose(system.weighted.right_side(), 1);
+    // Rounding gives the null vector an eigenvalue of 1e-16 squared, which an iteration that goes on
+    // long enough may find. Where it does depends on the roundings: here, and in 4 of 24 systems.
+    FactorSettings settings = cases::unregularised(16, 0.875);
+    settings.remove_null_vectors = false;
+    const PhongSystem system(settings, 30000);
     StopRule rule{.tolerance = 0.0,
                   .iteration_limit = 1000,
                   .breakdown = 0.0,
                   .window = 0,
                   .keep_best = false};
-    const Solution lost = solve_qmr(normal, b, system.zero(), rule);
-    CAPTURE(norm(lost.x), lost.report.relative_residual);
+    const Solution lost = system.solved(rule);
     CHECK(norm(lost.x) > 1e15);
     CHECK(lost.report.relative_residual > 0.01);
 
     rule.keep_best = true;
-    const Solution kept = solve_qmr(normal, b, system.zero(), rule);
+    const Solution kept = system.solved(rule);
     CHECK(norm(kept.x) < 100.0);
     CHECK(kept.report.relative_residual < 1e-12);
     rule.window = 60;
-    const Solution guarded = solve_qmr(normal, b, system.zero(), rule);
+    const Solution guarded = system.solved(rule);
     CHECK(norm(guarded.x) < 100.0);
     CHECK(guarded.report.iterations < 200);
 }
