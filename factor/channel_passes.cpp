@@ -65,12 +65,6 @@ template <class Residual>
 }
 
 TWOFOLD_SIMD_CLONES
-void add_right_side(const SamplePart& part) {
-    add_rows(
-        part, [](const Row& row) __attribute__((always_inline)) { return row.right_side(); });
-}
-
-TWOFOLD_SIMD_CLONES
 void add_normal(const SamplePart& part, const ChannelLanes* x) {
     add_rows(
         part, [&](const Row& row) __attribute__((always_inline)) { return row.times(x); });
@@ -103,7 +97,7 @@ void add_part(PassKind kind, const SamplePart& part, const ChannelLanes* x,
               const ChannelLanes& keep) {
     switch (kind) {
         case PassKind::right_side:
-            return add_right_side(part);
+            return;  // the systems have it
         case PassKind::normal:
             return add_normal(part, x);
         case PassKind::gradient:
@@ -163,6 +157,11 @@ std::vector<PassResult> ChannelPasses::operator()(
     const std::vector<std::optional<RowPass>>& asked) {
     std::vector<PassResult> results(asked.size());
     std::vector<std::optional<RowPass>> left = asked;
+    for (std::size_t c = 0; c < left.size(); ++c)
+        if (left[c] && left[c]->kind == PassKind::right_side) {
+            results[c] = {systems_[c]->gradient()};
+            left[c].reset();
+        }
     while (const auto kind = first_kind(left)) {
         std::vector<std::optional<RowPass>> now(left.size());
         for (std::size_t c = 0; c < left.size(); ++c)
@@ -187,7 +186,7 @@ ChannelPasses::Sums ChannelPasses::pass(PassKind kind,
         if (asked[c]) keep.at[c] = asked[c]->keep;
     const LogMatrix& matrix = systems_[0]->left().matrix;
     if (sets_rows(kind)) u_.resize(matrix.rows());
-    const std::vector<ChannelLanes> x = unknowns(kind, asked);
+    const std::vector<ChannelLanes> x = unknowns(asked);
     Sums sums = sample_pass(kind, x, keep);
     add_regulariser(sums, kind, x, keep);
     return sums;
@@ -195,8 +194,7 @@ ChannelPasses::Sums ChannelPasses::pass(PassKind kind,
 
 /// D^-1 y of the systems that ask, 0 of the others, beside each other.
 std::vector<ChannelLanes> ChannelPasses::unknowns(
-    PassKind kind, const std::vector<std::optional<RowPass>>& asked) const {
-    if (kind == PassKind::right_side) return {};
+    const std::vector<std::optional<RowPass>>& asked) const {
     std::vector<ChannelLanes> lanes(systems_[0]->left().matrix.padded_columns());
     for (std::size_t c = 0; c < asked.size(); ++c) {
         if (!asked[c]) continue;
@@ -236,7 +234,7 @@ void ChannelPasses::add_regulariser(Sums& sums, PassKind kind, const std::vector
     const LogMatrix& matrix = systems_[0]->left().matrix;
     std::vector<ChannelLanes> residual(matrix.rows() - matrix.samples());
     std::vector<ChannelLanes> squares(sets_rows(kind) ? runs_of(residual.size()) : 0);
-    for (std::size_t i = 0; i < residual.size() && kind != PassKind::right_side; ++i) {
+    for (std::size_t i = 0; i < residual.size(); ++i) {
         ChannelLanes product;
         for (const MatrixEntry& e : matrix.regulariser().row(i)) product += e.value * x[e.column];
         ChannelLanes* u = sets_rows(kind) ? &u_[matrix.samples() + i] : nullptr;

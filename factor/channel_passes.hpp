@@ -21,8 +21,7 @@ class ChannelPasses {
     struct Sums;  ///< of a pass: over the columns, and |u|^2
 
     Sums pass(PassKind kind, const std::vector<std::optional<RowPass>>& asked);
-    std::vector<ChannelLanes> unknowns(PassKind kind,
-                                       const std::vector<std::optional<RowPass>>& asked) const;
+    std::vector<ChannelLanes> unknowns(const std::vector<std::optional<RowPass>>& asked) const;
     Sums sample_pass(PassKind kind, const std::vector<ChannelLanes>& x, const ChannelLanes& keep);
     void add_regulariser(Sums& sums, PassKind kind, const std::vector<ChannelLanes>& x,
                          const ChannelLanes& keep);

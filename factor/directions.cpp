@@ -54,10 +54,10 @@ Vec3 about(Vec3 normal, double x, double y, double along) {
     return x * first + y * second + along * normal;
 }
 
-std::vector<SurfaceView> surface_views(int count, std::uint64_t sequence) {
+std::vector<SurfaceView> surface_views(int count, std::uint64_t sequence, int first) {
     std::vector<SurfaceView> views;
     views.reserve(static_cast<std::size_t>(count));
-    const std::uint64_t start = sequence << 32;
+    const std::uint64_t start = (sequence << 32) + static_cast<std::uint64_t>(first);
     for (int i = 0; i < count; ++i) {
         const auto u = recurrence_point(start + static_cast<std::uint64_t>(i));
         const Vec3 n = uniform_direction(u[0], u[1]);

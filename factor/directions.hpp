@@ -18,9 +18,10 @@ inline constexpr double least_view_cosine = 1e-4;
 /// @param sequence which stretch of the recurrence; different values below 2^32 share no point, so
 /// a set
 ///        of another sequence can be held out of a fit
+/// @param first where in the stretch the first pair is
 /// @return unit vectors, n.v >= least_view_cosine up to rounding
 /// @source M. Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018
-std::vector<SurfaceView> surface_views(int count, std::uint64_t sequence);
+std::vector<SurfaceView> surface_views(int count, std::uint64_t sequence, int first = 0);
 
 /// How many of the pairs lie at the horizon, n.v <= least_view_cosine (up to rounding).
 int count_at_horizon(std::span<const SurfaceView> views);

@@ -85,25 +85,23 @@ struct Channel {
     Solution solution;
 };
 
-std::array<Channel, 3> prepared(const LogRows& left, std::span<const Rgb> radiance,
-                                const FactorSettings& settings, double white, int threads) {
-    std::array<Channel, 3> channels;
-    parallel_for(3, threads, [&](std::size_t c) {
-        Channel& channel = channels[c];
-        channel.right =
-            channel_rows(left, channel_of(radiance, static_cast<int>(c)), settings, white);
-        if (channel.right.black()) return;
-        channel.guess = first_guess(left, channel.right, settings.fill_power, threads);
-    });
-    return channels;
+/// Whether anything looks at the right side once the system stands.
+bool needs_right_side(const FactorSettings& settings) {
+    return settings.solver != Solver::qmr || refines(settings);
 }
 
-void solve(std::array<Channel, 3>& channels, const LogRows& left, const FactorSettings& settings,
-           int threads) {
-    parallel_for(3, threads, [&](std::size_t c) {
-        Channel& channel = channels[c];
-        if (!channel.right.black()) channel.system.emplace(left, channel.right, settings, threads);
-    });
+/// One channel after another, so that only one has all of its rows at a time; the threads share
+/// those.
+void prepare(Channel& channel, const LogRows& left, Vector radiance, const FactorSettings& settings,
+             double white, int threads) {
+    channel.right = channel_rows(left, std::move(radiance), settings, white, threads);
+    if (channel.right.black()) return;
+    channel.guess = first_guess(left, channel.right, settings.fill_power, threads);
+    channel.system.emplace(left, channel.right, settings, threads);
+    if (!needs_right_side(settings)) channel.right.right_side = Vector();
+}
+
+void solve(std::array<Channel, 3>& channels, const FactorSettings& settings, int threads) {
     std::vector<Channel*> lit;
     std::vector<const WeightedSystem*> systems;
     std::vector<Vector> start;
@@ -146,13 +144,12 @@ ChannelResult finished(const LeftSides& left, Channel& channel, const FactorSett
 }
 
 /// What the samples and the settings let one expect, before any channel is looked at.
-std::vector<std::string> sample_warnings(const LightingSamples& fit,
-                                         const FactorSettings& settings) {
+std::vector<std::string> sample_warnings(std::size_t samples, const FactorSettings& settings) {
     const MapShape shape = shape_of(settings);
     const std::size_t unknowns = 2 * shape.texels();
-    if (fit.at.size() >= wanted_samples_per_unknown * unknowns) return {};
-    return {fmt::format("{} samples for {} unknowns: fewer than {} an unknown", fit.at.size(),
-                        unknowns, wanted_samples_per_unknown)};
+    if (samples >= wanted_samples_per_unknown * unknowns) return {};
+    return {fmt::format("{} samples for {} unknowns: fewer than {} an unknown", samples, unknowns,
+                        wanted_samples_per_unknown)};
 }
 
 /// The factors are of no use in 8 bits: a few texels own the maximum and the rest is stored in too
@@ -205,11 +202,24 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
 FactoredLighting factorize(const LightingSamples& fit, const LightingSamples& held_out,
                            const FactorSettings& settings, double white, int threads) {
     check_arguments(fit, held_out, settings, white);
-    LeftSides left{log_rows(fit.at, settings, threads), std::nullopt};
+    FitSamples samples(settings, fit.at.size());
+    samples.add(fit, threads);
+    return factorize(std::move(samples), held_out.at.empty() ? fit : held_out, white, threads);
+}
+
+FactoredLighting factorize(FitSamples fit, const LightingSamples& judged, double white,
+                           int threads) {
+    check_white(white);
+    check_samples(judged, "held_out");
+    const FactorSettings settings = fit.settings();
+    auto [log, radiance] = std::move(fit).parts();
+    LeftSides left{std::move(log), std::nullopt};
     if (refines(settings)) left.product = product_rows(left.log);
 
-    std::array<Channel, 3> solved = prepared(left.log, fit.radiance, settings, white, threads);
-    solve(solved, left.log, settings, threads);
+    std::array<Channel, 3> solved;
+    for (std::size_t c = 0; c < 3; ++c)
+        prepare(solved[c], left.log, std::move(radiance[c]), settings, white, threads);
+    solve(solved, settings, threads);
     std::array<ChannelResult, 3> channels;
     parallel_for(3, threads, [&](std::size_t c) {
         channels[c] = finished(left, solved[c], settings, channel_name(c), threads);
@@ -218,9 +228,9 @@ FactoredLighting factorize(const LightingSamples& fit, const LightingSamples& he
     for (std::size_t k = 0; k < static_cast<std::size_t>(settings.terms); ++k)
         terms.push_back({channels[0].terms[k], channels[1].terms[k], channels[2].terms[k]});
     FactoredLighting result =
-        assembled(std::move(terms), {channels[0].fit, channels[1].fit, channels[2].fit},
-                  held_out.at.empty() ? fit : held_out, settings, white);
-    append(result.warnings, sample_warnings(fit, settings));
+        assembled(std::move(terms), {channels[0].fit, channels[1].fit, channels[2].fit}, judged,
+                  settings, white);
+    append(result.warnings, sample_warnings(left.log.samples, settings));
     for (std::size_t c = 0; c < 3; ++c)
         append(result.warnings, channel_warnings(result, settings, c));
     return result;

@@ -15,19 +15,28 @@ void require(bool condition, const std::string& text) {
     if (!condition) throw Error(ExitCode::failure, "factor: " + text);
 }
 
+}  // namespace
+
 void check_samples(const LightingSamples& samples, const char* name) {
     require(samples.at.size() == samples.radiance.size(),
             fmt::format("{} has {} pairs but {} radiances", name, samples.at.size(),
                         samples.radiance.size()));
 }
 
-}  // namespace
+void check_white(double white) {
+    require(white >= 0.0 && std::isfinite(white), fmt::format("white is {}", white));
+}
 
 void check_arguments(const LightingSamples& fit, const LightingSamples& held_out,
-                     const FactorSettings& s, double white) {
+                     const FactorSettings& settings, double white) {
     require(!fit.at.empty(), "no samples");
     check_samples(fit, "fit");
     check_samples(held_out, "held_out");
+    checked(settings);
+    check_white(white);
+}
+
+const FactorSettings& checked(const FactorSettings& s) {
     require(s.map_size >= 2 && s.map_size <= 2048, fmt::format("map_size is {}", s.map_size));
     require(s.guard > 0.0 && s.guard <= 1.0, fmt::format("guard is {}", s.guard));
     require(s.floor > 0.0 && std::isfinite(s.floor), fmt::format("floor is {}", s.floor));
@@ -52,7 +61,7 @@ void check_arguments(const LightingSamples& fit, const LightingSamples& held_out
             fmt::format("refinement_weight is {}", s.refinement_weight));
     require(s.scale_percentile > 0.0 && s.scale_percentile <= 100.0,
             fmt::format("scale_percentile is {}", s.scale_percentile));
-    require(white >= 0.0 && std::isfinite(white), fmt::format("white is {}", white));
+    return s;
 }
 
 }  // namespace twofold

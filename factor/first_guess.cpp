@@ -14,13 +14,6 @@ struct Known {
     double value;
 };
 
-/// 1 for the used samples' rows, 0 for all others.
-Vector used_rows(const LogRows& left, const ChannelRows& right) {
-    Vector used(left.matrix.rows(), 0.0);
-    for (std::size_t i = 0; i < left.samples; ++i) used[i] = right.weight[i] > 0.0 ? 1.0 : 0.0;
-    return used;
-}
-
 /// d^-power from the square of d; the usual power needs no logarithm.
 double inverse_distance(double square, double power) {
     return power == 2.0 ? 1.0 / square : exact::pow(square, -0.5 * power);
@@ -62,8 +55,9 @@ std::size_t fill_untouched(Vector& x, const Vector& weight, std::size_t first,
 }
 
 FirstGuess first_guess(const LogRows& left, const ChannelRows& right, double power, int threads) {
-    const Vector used = used_rows(left, right);
-    const Vector weight = left.matrix.multiply_transpose(used, threads);
+    const Vector weight = left.matrix.multiply_transpose(
+        [&](std::size_t i) { return i < left.samples && right.weight[i] > 0.0 ? 1.0 : 0.0; },
+        threads);
     FirstGuess guess{left.matrix.multiply_transpose(right.right_side, threads)};
     const double half_mean =
         0.5 * ordered_sum(left.samples, [&](std::size_t i) { return right.right_side[i]; }) /

@@ -77,16 +77,7 @@ Vector LogMatrix::multiply(std::span<const double> x, int threads) const {
 }
 
 Vector LogMatrix::multiply_transpose(std::span<const double> y, int threads) const {
-    const RowReader read = reader();
-    Vector sums = sum_samples<double>(
-        [&](std::size_t first, std::size_t end, double* part) {
-            for_rows(read, first, end, [&](std::size_t i, const RunWeights& w, std::size_t k) {
-                read.add(i, w, k, y[i], part);
-            });
-        },
-        threads);
-    return with_rest(std::move(sums),
-                     [&](const MatrixEntry& e) { return e.value * y[samples() + e.column]; });
+    return multiply_transpose([y](std::size_t i) { return y[i]; }, threads);
 }
 
 Vector LogMatrix::column_norms(std::span<const double> row_weight, int threads) const {

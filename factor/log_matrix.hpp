@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -59,6 +60,12 @@ class LogMatrix {
     /// A^T y. @param y `rows` values
     Vector multiply_transpose(std::span<const double> y, int threads) const;
 
+    /// The same for values that need not be stored. @param y y(i) of each row
+    template <class RowValue>
+    requires std::invocable<RowValue, std::size_t> Vector multiply_transpose(const RowValue& y,
+                                                                             int threads)
+    const;
+
     /// Euclidean norm of each column of diag(row_weight) A.
     Vector column_norms(std::span<const double> row_weight, int threads) const;
 
@@ -102,6 +109,22 @@ std::vector<Value> LogMatrix::sum_samples(const AddPart& add_part, int threads) 
             for (std::size_t j = 0; j < columns(); ++j) sums[left][j] += sums[left + step][j];
         });
     return std::move(sums[0]);
+}
+
+template <class RowValue>
+requires std::invocable<RowValue, std::size_t> Vector
+LogMatrix::multiply_transpose(const RowValue& y, int threads)
+const {
+    const RowReader read = reader();
+    Vector sums = sum_samples<double>(
+        [&](std::size_t first, std::size_t end, double* part) {
+            for_rows(read, first, end, [&](std::size_t i, const RunWeights& w, std::size_t k) {
+                read.add(i, w, k, y(i), part);
+            });
+        },
+        threads);
+    return with_rest(std::move(sums),
+                     [&](const MatrixEntry& e) { return e.value * y(samples() + e.column); });
 }
 
 template <class Value, class Term>

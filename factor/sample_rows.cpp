@@ -48,21 +48,35 @@ void put_view(SampleRows& rows, std::size_t i, double cosine, int knots) {
 
 }  // namespace
 
-SampleRows sample_rows(std::span<const SurfaceView> at, const MapShape& shape, int view_knots,
-                       int threads) {
-    SampleRows rows;
-    for (auto& texels : rows.texel) texels.resize(at.size());
-    for (auto& fractions : rows.fraction) fractions.resize(at.size());
-    rows.knot.resize(view_knots > 0 ? at.size() : 0);
-    rows.knot_fraction.resize(rows.knot.size());
+void SampleRows::reserve(std::size_t rows, int view_knots) {
+    for (auto& texels : texel) texels.reserve(rows);
+    for (auto& fractions : fraction) fractions.reserve(rows);
+    if (view_knots == 0) return;
+    knot.reserve(rows);
+    knot_fraction.reserve(rows);
+}
+
+void SampleRows::append(std::span<const SurfaceView> at, const MapShape& shape, int view_knots,
+                        int threads) {
+    const std::size_t first = size(), rows = first + at.size();
+    for (auto& texels : texel) texels.resize(rows);
+    for (auto& fractions : fraction) fractions.resize(rows);
+    knot.resize(view_knots > 0 ? rows : 0);
+    knot_fraction.resize(knot.size());
     parallel_for((at.size() + pairs_per_task - 1) / pairs_per_task, threads, [&](std::size_t task) {
         const std::size_t end = std::min((task + 1) * pairs_per_task, at.size());
         for (std::size_t i = task * pairs_per_task; i < end; ++i) {
-            put_footprint(rows, i, 0, pi_1(at[i]), shape);
-            put_footprint(rows, i, 1, pi_2(at[i]), shape);
-            if (view_knots > 0) put_view(rows, i, dot(at[i].n, at[i].v), view_knots);
+            put_footprint(*this, first + i, 0, pi_1(at[i]), shape);
+            put_footprint(*this, first + i, 1, pi_2(at[i]), shape);
+            if (view_knots > 0) put_view(*this, first + i, dot(at[i].n, at[i].v), view_knots);
         }
     });
+}
+
+SampleRows sample_rows(std::span<const SurfaceView> at, const MapShape& shape, int view_knots,
+                       int threads) {
+    SampleRows rows;
+    rows.append(at, shape, view_knots, threads);
     return rows;
 }
 

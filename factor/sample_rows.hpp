@@ -22,6 +22,11 @@ struct SampleRows {
     std::vector<std::uint16_t> knot_fraction;  ///< 2^-16 of the way to the next
 
     std::size_t size() const { return texel[0].size(); }
+    void reserve(std::size_t rows, int view_knots);
+
+    /// The rows of more pairs. @param view_knots 0 for no third factor
+    void append(std::span<const SurfaceView> at, const MapShape& shape, int view_knots,
+                int threads);
 };
 
 /// The rows of the pairs. @param view_knots 0 for no third factor

@@ -95,7 +95,8 @@ void fit_nd(ChannelResult& result, const Sides& sides, const LinearRows& rows,
 
 ChannelResult factor_channel(const Sides& sides, std::span<const double> radiance,
                              const FactorSettings& settings, double white, int threads) {
-    const ChannelRows counted = channel_rows(sides.log, radiance, settings, white);
+    const ChannelRows counted =
+        channel_rows(sides.log, Vector(radiance.begin(), radiance.end()), settings, white, threads);
     ChannelResult result;
     result.fit.counts = counted.treated;
     const std::size_t parts =

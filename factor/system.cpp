@@ -82,49 +82,16 @@ void add_rows_of_both_maps(const MapShape& shape, double scale, const AddRow& ad
     }
 }
 
-/// Radiance after the cap, negative values as 0.
-double lowered(double radiance, double cap) { return min(max(radiance, 0.0), cap); }
-
-double mean_of_finite(std::span<const double> radiance, double cap, std::size_t finite) {
-    const double sum = ordered_sum(radiance.size(), [&](std::size_t i) {
-        return std::isfinite(radiance[i]) ? lowered(radiance[i], cap) : 0.0;
-    });
-    return sum / static_cast<double>(finite);
-}
-
-void count_sample(TreatedSamples& treated, double radiance, double floor, double cap) {
-    if (!std::isfinite(radiance)) {
-        ++treated.non_finite;
-        return;
-    }
-    ++treated.used;
-    if (radiance < 0.0) {
-        ++treated.negative;
-    } else if (radiance == 0.0) {
-        ++treated.zero;
-    } else if (radiance < floor) {
-        ++treated.floored;
-    } else if (radiance > cap) {
-        ++treated.capped;
-    }
-}
-
-std::size_t count_finite(std::span<const double> radiance) {
-    std::size_t finite = 0;
-    for (const double value : radiance) finite += std::isfinite(value) ? 1U : 0U;
-    return finite;
-}
-
 }  // namespace
 
-LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings, int threads) {
+SparseMatrix regulariser_of(const FactorSettings& settings, std::size_t samples) {
     const MapShape shape = shape_of(settings);
     const auto texels = static_cast<double>(shape.texels());
-    const double scale = settings.smoothness * std::sqrt(static_cast<double>(at.size()) / texels);
+    const auto count = static_cast<double>(samples);
+    const double scale = settings.smoothness * std::sqrt(count / texels);
     // The seam rows are scaled from the same k; where there is no smoothness they stand by
     // themselves.
-    const double seam_base =
-        settings.smoothness > 0.0 ? scale : std::sqrt(static_cast<double>(at.size()) / texels);
+    const double seam_base = settings.smoothness > 0.0 ? scale : std::sqrt(count / texels);
     RowBuilder builder;
     add_rows_of_both_maps(shape, scale, [&](std::size_t j, std::size_t first, double k) {
         add_smoothness_row(builder, j, shape, first, k);
@@ -135,42 +102,26 @@ LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings
                           });
     const auto knots = static_cast<std::size_t>(settings.view_knots);
     add_view_rows(builder, 2 * shape.texels(), settings.view_knots,
-                  settings.view_smoothness *
-                      std::sqrt(static_cast<double>(at.size()) / static_cast<double>(knots + 1)));
-    return {LogMatrix(sample_rows(at, shape, settings.view_knots, threads), shape,
-                      builder.build(2 * shape.texels() + knots)),
-            at.size(), shape, settings.view_knots};
+                  settings.view_smoothness * std::sqrt(count / static_cast<double>(knots + 1)));
+    return builder.build(2 * shape.texels() + knots);
+}
+
+LogRows log_rows(SampleRows at, SparseMatrix regulariser, const FactorSettings& settings) {
+    const MapShape shape = shape_of(settings);
+    const std::size_t samples = at.size();
+    return {LogMatrix(std::move(at), shape, std::move(regulariser)), samples, shape,
+            settings.view_knots};
+}
+
+LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings, int threads) {
+    return log_rows(sample_rows(at, shape_of(settings), settings.view_knots, threads),
+                    regulariser_of(settings, at.size()), settings);
 }
 
 FactorStarts LogRows::starts() const {
     FactorStarts starts{0, shape.texels(), 2 * shape.texels()};
     if (view_knots > 0) starts.push_back(2 * shape.texels() + static_cast<std::size_t>(view_knots));
     return starts;
-}
-
-ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
-                         const FactorSettings& settings, double white) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    const double cap = settings.cap * white > 0.0 ? settings.cap * white : infinity;
-    const std::size_t finite = count_finite(radiance);
-    if (finite == 0) throw Error(ExitCode::failure, "factor: no sample is finite");
-
-    ChannelRows channel{Vector(rows.matrix.rows(), 0.0),
-                        Vector(rows.matrix.rows(), 1.0),
-                        {},
-                        mean_of_finite(radiance, cap, finite)};
-    const double floor = settings.floor * channel.mean;
-    for (std::size_t i = 0; i < radiance.size(); ++i) {
-        count_sample(channel.treated, radiance[i], floor, cap);
-        if (!std::isfinite(radiance[i])) {
-            channel.weight[i] = 0.0;
-        } else if (!channel.black()) {
-            const double treated = max(lowered(radiance[i], cap), floor);
-            channel.right_side[i] = exact::log(treated);
-            channel.weight[i] = exact::pow(treated / channel.mean, settings.row_weight);
-        }
-    }
-    return channel;
 }
 
 WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right,
@@ -185,6 +136,9 @@ WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right,
     for (double& scale : column_scale_)
         scale = settings.column_scaling && scale > 0.0 ? scale : 1.0;
     if (settings.remove_null_vectors) null_vectors_ = gauge_.null_vectors(column_scale_);
+    gradient_ = scaled_product(left.matrix.multiply_transpose(
+        [&](std::size_t i) { return right.weight[i] * (right.weight[i] * right.right_side[i]); },
+        threads));
 }
 
 Vector WeightedSystem::apply(const Vector& y) const {

@@ -34,6 +34,12 @@ struct LogRows {
 /// @param settings map_size, guard, smoothness, seam, view_knots and view_smoothness are used
 LogRows log_rows(std::span<const SurfaceView> at, const FactorSettings& settings, int threads = 1);
 
+/// The same of samples that have their place, and of the rows after them.
+LogRows log_rows(SampleRows at, SparseMatrix regulariser, const FactorSettings& settings);
+
+/// The rows after those of so many samples.
+SparseMatrix regulariser_of(const FactorSettings& settings, std::size_t samples);
+
 /// What became of a channel's samples; each sample is counted once, under the first that applies.
 struct TreatedSamples {
     std::size_t used = 0;        ///< all but the non-finite
@@ -42,6 +48,7 @@ struct TreatedSamples {
     std::size_t zero = 0;        ///< raised to the floor
     std::size_t floored = 0;     ///< above 0 and raised to the floor
     std::size_t capped = 0;      ///< lowered to the cap
+    TreatedSamples& operator+=(const TreatedSamples& b);
 };
 
 /// The right side of a channel.
@@ -55,11 +62,11 @@ struct ChannelRows {
 
 /// Builds the right side log max(min(L, cap white), floor Lmean) and the row weights
 /// (the same / Lmean)^row_weight.
-/// @param radiance one value a sample
+/// @param radiance one value a sample; becomes the right side in place
 /// @param white radiance of the picture's white; a cap of 0 takes none
 /// @throws Error if no sample is finite
-ChannelRows channel_rows(const LogRows& rows, std::span<const double> radiance,
-                         const FactorSettings& settings, double white);
+ChannelRows channel_rows(const LogRows& rows, Vector radiance, const FactorSettings& settings,
+                         double white, int threads = 1);
 
 /// The weighted system of a channel, B = diag(weight) A D^-1 with D_j the norm of column j of the
 /// weighted matrix (1 without column scaling and for empty columns), in unknowns D x. What the
@@ -71,11 +78,12 @@ class WeightedSystem {
     WeightedSystem(const LogRows& left, const ChannelRows& right, const FactorSettings& settings,
                    int threads);
 
-    Vector apply(const Vector& y) const;            ///< B y
-    Vector apply_transpose(const Vector& r) const;  ///< B^T r
-    Vector right_side() const;                      ///< diag(weight) b
-    Vector scaled_unknowns(const Vector& x) const;  ///< D x
-    Vector unknowns(const Vector& y) const;         ///< D^-1 y
+    Vector apply(const Vector& y) const;                  ///< B y
+    Vector apply_transpose(const Vector& r) const;        ///< B^T r
+    Vector right_side() const;                            ///< diag(weight) b
+    const Vector& gradient() const { return gradient_; }  ///< B^T diag(weight) b
+    Vector scaled_unknowns(const Vector& x) const;        ///< D x
+    Vector unknowns(const Vector& y) const;               ///< D^-1 y
 
     /// D^-1 A^T w of the columns' sums A^T w, without what the null vectors collected.
     Vector scaled_product(const Vector& columns) const;
@@ -95,6 +103,7 @@ class WeightedSystem {
     Vector column_scale_;                     ///< D
     std::vector<SparseVector> null_vectors_;  ///< what is projected out
     double magnitude_;
+    Vector gradient_;
 };
 
 }  // namespace twofold

@@ -28,12 +28,12 @@ std::vector<FactorFigure> measure(const Options& options) {
     const ScratchFolder scratch;
     const Peer peer{options.python, scratch.path()};
     std::vector<FactorFigure> all;
+    add(all, measure_growth(options.largest));  // first: no thread runs yet
     add(all, measure_sampling(peer));
     add(all, measure_clustered());
     add(all, measure_solvers(peer));
     add(all, measure_threads());
     if (!options.scene.empty()) add(all, measure_scene(options.scene));
-    add(all, measure_growth(options.largest));  // last: its memory is the process's largest
     return all;
 }
 

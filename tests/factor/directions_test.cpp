@@ -68,6 +68,8 @@ TEST_CASE("The same call gives the same pairs, and a longer set begins with the 
     for (std::size_t i = 0; i < shorter.size(); ++i) {
         REQUIRE(same_pair(shorter[i], longer[i]));
     }
+    const auto rest = surface_views(900, 7, 100);
+    for (std::size_t i = 0; i < rest.size(); ++i) REQUIRE(same_pair(rest[i], longer[100 + i]));
     CHECK(surface_views(0, 7).empty());
 }
 

@@ -193,6 +193,41 @@ TEST_CASE("F09 one sample is reproduced and fills both maps", "[hard][F09]") {
     CHECK(any_contains(result.warnings, "fewer than 10"));
 }
 
+TEST_CASE("samples that come in batches give the bits of those that come at once") {
+    const LightingSamples all = cases::samples_of({}, 9000, 1);
+    const LightingSamples judged = cases::samples_of({}, 1000, 2);
+    FactorSettings settings = map_of(8);
+    settings.view_knots = 6;
+    FitSamples batches(settings, all.at.size());
+    for (const std::size_t first : {0U, 17U, 6000U}) {
+        const std::size_t end = first == 0 ? 17 : first == 17 ? 6000 : 9000;
+        const auto part = [&](const auto& values) {
+            const auto begin = values.begin();
+            return std::vector(begin + static_cast<std::ptrdiff_t>(first),
+                               begin + static_cast<std::ptrdiff_t>(end));
+        };
+        batches.add({part(all.at), part(all.radiance)}, 2);
+    }
+    const FactoredLighting one = factorize(all, judged, settings, 1.0, 1);
+    const FactoredLighting many = factorize(std::move(batches), judged, 1.0, 2);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(texels_of(many.terms[0].t1, c) == texels_of(one.terms[0].t1, c));
+        CHECK(texels_of(many.terms[0].t2, c) == texels_of(one.terms[0].t2, c));
+        CHECK(many.fit[c].relative_rms == one.fit[c].relative_rms);
+    }
+    CHECK(many.terms[0].view == one.terms[0].view);
+    CHECK(many.warnings == one.warnings);
+}
+
+TEST_CASE("a fit of batches has the number of samples that was announced") {
+    const LightingSamples some = cases::samples_of({}, 100, 1);
+    FitSamples more(map_of(8), 150);
+    more.add(some, 1);
+    CHECK_THROWS_WITH(more.add(some, 1), Contains("more than 150 samples"));
+    CHECK_THROWS_WITH(factorize(std::move(more), some, 1.0, 1), Contains("100 of 150"));
+    CHECK_THROWS_WITH(FitSamples(map_of(0), 10), Contains("map_size"));
+}
+
 TEST_CASE("F10 an empty set of samples is refused", "[hard][F10]") {
     CHECK_THROWS_WITH(factorize({}, {}, map_of(8), 1.0, 1), Contains("no samples"));
     LightingSamples uneven = cases::samples_of({}, 10, 1);

@@ -1,0 +1,33 @@
+#include "factor/fit_samples.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "factor/factorize_check.hpp"
+#include "texunit/error.hpp"
+
+namespace twofold {
+
+FitSamples::FitSamples(const FactorSettings& settings, std::size_t count)
+    : settings_(checked(settings)), count_(count), regulariser_(regulariser_of(settings, count)) {
+    at_.reserve(count, settings.view_knots);
+    for (Vector& channel : radiance_) channel.reserve(count + regulariser_.rows());
+}
+
+void FitSamples::add(const LightingSamples& batch, int threads) {
+    check_samples(batch, "fit");
+    if (at_.size() + batch.at.size() > count_)
+        throw Error(ExitCode::failure, fmt::format("factor: more than {} samples", count_));
+    at_.append(batch.at, shape_of(settings_), settings_.view_knots, threads);
+    for (const Rgb& radiance : batch.radiance)
+        for (int c = 0; c < 3; ++c) radiance_[static_cast<std::size_t>(c)].push_back(radiance[c]);
+}
+
+FitSamples::Parts FitSamples::parts() && {
+    if (at_.size() < count_)
+        throw Error(ExitCode::failure, fmt::format("factor: {} of {} samples", at_.size(), count_));
+    return {log_rows(std::move(at_), std::move(regulariser_), settings_), std::move(radiance_)};
+}
+
+}  // namespace twofold
