@@ -112,14 +112,6 @@ Json picture_json(Preset preset, Pipeline pipeline, const Framebuffer& picture) 
     return json;
 }
 
-/// Found out before the work instead of after it.
-void require_folder_of(const std::filesystem::path& file) {
-    const std::filesystem::path folder = file.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        throw Error(ExitCode::bad_file,
-                    fmt::format("{}: there is no folder {}", file.string(), folder.string()));
-}
-
 }  // namespace
 
 Pipeline pipeline_or_error(const std::string& name) {
@@ -179,7 +171,7 @@ ExitCode render_command(const RenderOptions& options, const CommonOptions& commo
     if (extension != ".png" && extension != ".exr")
         throw Error(ExitCode::failure,
                     "--output: '" + options.output + "' must end in .png or .exr");
-    require_folder_of(options.output);
+    prepare_folder_of(options.output);
     Console console(common.quiet);
     const SceneAssets assets = load_assets(scene);
     const LitScene lit =

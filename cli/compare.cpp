@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "study/results_json.hpp"
+#include "study/write_run.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/image_file.hpp"
 
@@ -68,6 +69,7 @@ ExitCode compare_floats(const CompareOptions& options, const CommonOptions& comm
 ExitCode compare_command(const CompareOptions& options, const CommonOptions& common) {
     if (!options.diff.empty() && !options.diff.ends_with(".png"))
         throw Error(ExitCode::failure, "--diff: '" + options.diff + "' must end in .png");
+    if (!options.diff.empty()) prepare_folder_of(options.diff);
     const bool bytes = is_png(options.a) && is_png(options.b);
     return bytes ? compare_bytes(options, common) : compare_floats(options, common);
 }

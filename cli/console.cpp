@@ -8,6 +8,10 @@
 
 namespace twofold {
 
+void print_message(std::string_view text) noexcept {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 Console::Console(bool quiet)
     : quiet_(quiet),
       on_terminal_(isatty(STDERR_FILENO) != 0),
@@ -18,21 +22,21 @@ Console::~Console() { finish(); }
 void Console::step(std::string_view name) {
     if (quiet_) return;
     if (on_terminal_)
-        fmt::print(stderr, "\r\033[K{} ...", name);
+        print_message(fmt::format("\r\033[K{} ...", name));
     else
-        fmt::print(stderr, "{}\n", name);
+        print_message(fmt::format("{}\n", name));
     std::fflush(stderr);
     line_open_ = on_terminal_;
 }
 
 void Console::warn(std::string_view text) {
     finish();
-    fmt::print(stderr, "{}warning:{} {}\n", in_color_ ? "\033[33m" : "", in_color_ ? "\033[0m" : "",
-               text);
+    print_message(fmt::format("{}warning:{} {}\n", in_color_ ? "\033[33m" : "",
+                              in_color_ ? "\033[0m" : "", text));
 }
 
 void Console::finish() {
-    if (line_open_) fmt::print(stderr, "\r\033[K");
+    if (line_open_) print_message("\r\033[K");
     line_open_ = false;
 }
 

@@ -4,6 +4,10 @@
 
 namespace twofold {
 
+/// Writes to stderr. What cannot be written there is lost: the work goes on, and the exit code
+/// tells how it ended.
+void print_message(std::string_view text) noexcept;
+
 /// Progress and messages on stderr. On a terminal the running step stays on one line with the time
 /// so far; elsewhere each step is a line of its own.
 class Console {

@@ -1,11 +1,16 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
+#include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/console.hpp"
 #include "study/results_json.hpp"
 #include "texunit/self_check.hpp"
 
@@ -130,10 +135,24 @@ ExitCode dispatch(const CLI::App& app, const Options& o) {
     return explain_command(o.explain, o.common);
 }
 
-int complain(ExitCode code, const std::string& text) {
-    fmt::print(stderr, "twofold: {}\n", text);
+/// Called where memory is out or the message cannot be written: neither may end the program before
+/// it has given its code.
+int complain(ExitCode code, std::string_view text) noexcept {
+    print_message("twofold: ");
+    print_message(text);
+    print_message("\n");
     return static_cast<int>(code);
 }
+
+/// A closed standard descriptor would be given to the next file that is opened, and what is printed
+/// would land in that file. Opened for reading only, so that lost output is an error.
+void occupy_standard_descriptors() {
+    int file = STDIN_FILENO;
+    while (file >= 0 && file <= STDERR_FILENO) file = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (file >= 0) ::close(file);
+}
+
+constexpr std::string_view lost_output = "standard output: cannot be written";
 
 std::string joined(int argc, char** argv) {
     std::string line = "twofold";
@@ -144,6 +163,7 @@ std::string joined(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+    occupy_standard_descriptors();
     if (const std::string defects = floating_point_defects(); !defects.empty())
         return complain(ExitCode::inexact_build, "this build or process is not exact: " + defects);
     CLI::App app{"twofold: lighting functions as two textures, drawn bit-exactly to named presets",
@@ -170,13 +190,15 @@ int main(int argc, char** argv) try {
     }
     const ExitCode code = dispatch(app, options);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        return complain(ExitCode::bad_file, "standard output: cannot be written");
+        return complain(ExitCode::bad_file, lost_output);
     return static_cast<int>(code);
 } catch (const twofold::Error& e) {
     return complain(e.code(), e.what());
 } catch (const std::bad_alloc&) {
     return complain(ExitCode::failure,
                     "out of memory: ask for a smaller picture, map or sample count");
+} catch (const std::system_error& e) {
+    return complain(ExitCode::bad_file, std::ferror(stdout) != 0 ? lost_output : e.what());
 } catch (const std::exception& e) {
     return complain(ExitCode::failure, e.what());
 }

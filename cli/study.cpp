@@ -60,7 +60,8 @@ ExitCode report(const StudyPlan& plan, const CellStore& store, const std::filesy
     ExitCode code = ExitCode::ok;
     for (const auto& [id, result] : results.cells)
         if (result.contains("failed")) {
-            fmt::print(stderr, "warning: {}: {}\n", id, result.at("failed").get<std::string>());
+            print_message(
+                fmt::format("warning: {}: {}\n", id, result.at("failed").get<std::string>()));
             code = ExitCode::warning;
         }
     return code;

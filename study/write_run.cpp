@@ -169,6 +169,14 @@ OutputFolder::~OutputFolder() {
     if (made_here_) std::filesystem::remove(path_, ignored);  // does nothing unless it is empty
 }
 
+void prepare_folder_of(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder))
+        throw Error(ExitCode::bad_file,
+                    fmt::format("{}: there is no folder {}", file.string(), folder.string()));
+    remove_stale_temporaries(folder);
+}
+
 void write_factors(const Scene& scene, const LitScene& lit, const std::filesystem::path& folder) {
     for (const auto& [name, lighting] : lit.materials) {
         for (std::size_t k = 0; k < lighting.terms.size(); ++k) {

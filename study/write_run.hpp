@@ -41,4 +41,9 @@ class OutputFolder {
     bool made_here_ = false;
 };
 
+/// For a single file of results: its folder has to be there, which is found out before the work
+/// instead of after it, and what interrupted writers left in it is swept.
+/// @throws Error naming the file and the folder
+void prepare_folder_of(const std::filesystem::path& file);
+
 }  // namespace twofold

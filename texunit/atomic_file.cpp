@@ -43,28 +43,6 @@ class Descriptor {
     int value_;
 };
 
-/// Removes the temporary file unless it has become the real one.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (!renamed_) ::unlink(path_.c_str());
-    }
-    const fs::path& path() const { return path_; }
-
-    void rename_to(const fs::path& target) {
-        if (::rename(path_.c_str(), target.c_str()) != 0)
-            throw system_error(target.string(), "cannot rename the finished file", errno);
-        renamed_ = true;
-    }
-
-  private:
-    fs::path path_;
-    bool renamed_ = false;
-};
-
 constexpr std::string_view marker = ".twofold-";
 constexpr std::string_view ending = ".tmp";
 
@@ -100,6 +78,31 @@ int create_temporary(const fs::path& path, const fs::path& target) {
         throw system_error(target.string(), "cannot create a file in its folder", errno);
     return descriptor;
 }
+
+/// The file that will be `target`, removed unless it has become that. It is created last, so that
+/// nothing can fail between its creation and its having an owner.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const fs::path& target)
+        : path_(temporary_path(target)), file_(create_temporary(path_, target)) {}
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (!renamed_) ::unlink(path_.c_str());
+    }
+    Descriptor& file() { return file_; }
+
+    void rename_to(const fs::path& target) {
+        if (::rename(path_.c_str(), target.c_str()) != 0)
+            throw system_error(target.string(), "cannot rename the finished file", errno);
+        renamed_ = true;
+    }
+
+  private:
+    fs::path path_;
+    Descriptor file_;
+    bool renamed_ = false;
+};
 
 void flush_to_disk(Descriptor& file, const fs::path& target) {
     if (::fsync(file.get()) != 0)
@@ -182,11 +185,9 @@ void write_all(int descriptor, std::span<const unsigned char> bytes, const std::
 
 void write_file_atomically(const fs::path& path, std::span<const unsigned char> bytes) {
     require_replaceable(path);
-    const fs::path temporary_name = temporary_path(path);
-    Descriptor file(create_temporary(temporary_name, path));
-    TemporaryFile temporary(temporary_name);
-    write_all(file.get(), bytes, path.string());
-    flush_to_disk(file, path);
+    TemporaryFile temporary(path);
+    write_all(temporary.file().get(), bytes, path.string());
+    flush_to_disk(temporary.file(), path);
     temporary.rename_to(path);
     flush_folder(path);
 }

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -86,10 +87,17 @@ void limit_open_image_io() {
     if (!done) throw Error(ExitCode::failure, "OpenImageIO: no setting limits:imagesize_MB");
 }
 
+/// OpenImageIO tells of exceptions, and libpng of what malloc refused, by texts alone.
+std::string checked_reason(const std::string& reason) {
+    for (const char* text : {"bad_alloc", "nsufficient memory", "ut of memory"})
+        if (reason.find(text) != std::string::npos) throw std::bad_alloc();
+    return reason.empty() ? "no reason given" : reason;
+}
+
 Error reader_error(const Input& input, const char* what) {
-    const std::string reason = input.reader->geterror();
-    return bad_file(input.name, fmt::format("{} {} data: {}", what, input.reader->format_name(),
-                                            reason.empty() ? "no reason given" : reason));
+    const std::string reason = checked_reason(input.reader->geterror());
+    return bad_file(input.name,
+                    fmt::format("{} {} data: {}", what, input.reader->format_name(), reason));
 }
 
 /// Opens with the reader of `format` alone. All four read from memory in OpenImageIO 2.4; one that
@@ -102,7 +110,8 @@ Input open_input(const Bytes& bytes, const Format& format, const std::string& na
                 OIIO::ImageInput::create(format.reader),
                 {}};
     if (!input.reader || !input.reader->supports("ioproxy"))
-        throw bad_file(name, fmt::format("OpenImageIO cannot read {} from memory", format.reader));
+        throw bad_file(name, fmt::format("OpenImageIO cannot read {} from memory: {}",
+                                         format.reader, checked_reason(OIIO::geterror())));
     input.reader->set_ioproxy(input.proxy.get());
     OIIO::ImageSpec configuration;
     configuration.attribute("oiio:UnassociatedAlpha", 1);
@@ -281,13 +290,14 @@ Bytes encode(const char* format, const OIIO::ImageSpec& spec, const void* sample
     OIIO::Filesystem::IOVecOutput proxy(bytes);
     const auto writer = OIIO::ImageOutput::create(format);
     if (!writer || !writer->supports("ioproxy"))
-        throw bad_file(format, "OpenImageIO cannot write this format to memory");
+        throw bad_file(format, "OpenImageIO cannot write this format to memory: " +
+                                   checked_reason(OIIO::geterror()));
     writer->set_ioproxy(&proxy);
     const bool written = writer->open(format, spec) && writer->write_image(spec.format, samples);
     const bool closed = writer->close();
     const std::string reason = writer->geterror();  // set even where all calls reported success
     if (!written || !closed || !reason.empty())
-        throw bad_file(format, "encoding failed: " + reason);
+        throw bad_file(format, "encoding failed: " + checked_reason(reason));
     return bytes;
 }
 

@@ -122,6 +122,8 @@ CellFindings Laboratory::measure(const Cell& cell) {
     try {
         return measured(cell, anchor);
     } catch (const Error& e) {
+        // A file that could not be read this time says nothing about the cell.
+        if (e.code() == ExitCode::bad_file) throw;
         Json result = settings_json(cell);
         result["failed"] = e.what();
         return {std::move(result), {}};

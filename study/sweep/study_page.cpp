@@ -11,6 +11,7 @@
 #include "study/sweep/checks.hpp"
 #include "study/sweep/figure.hpp"
 #include "study/sweep/work.hpp"
+#include "study/write_run.hpp"
 #include "texunit/atomic_file.hpp"
 
 /// The files of study/report/, made into string views by study/report/embed.cmake.
@@ -212,9 +213,9 @@ std::string study_html(const StudyPage& page) {
 std::filesystem::path write_study(const StudyResults& results, const CellStore& store,
                                   const std::filesystem::path& folder, const StudyOrigin& origin) {
     const StudyPage page = page_of(results, store, origin);
-    std::filesystem::create_directories(folder / "figures");
+    const OutputFolder figures_folder(folder / "figures");
     for (const auto* figures : {&page.trades, &page.budgets, &page.axes})
-        write_figures(*figures, folder / "figures");
+        write_figures(*figures, figures_folder.path());
     write_file_atomically(folder / "cells.csv", study_csv(results));
     const std::filesystem::path report = folder / "report.html";
     write_file_atomically(report, study_html(page));
