@@ -1,9 +1,11 @@
+#include <execinfo.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -160,10 +162,40 @@ std::string joined(int argc, char** argv) {
     return line;
 }
 
+/// glibc loads its unwinder when an exception first passes through C code, and aborts if memory is
+/// out by then.
+void load_unwinder() {
+    void* frame = nullptr;
+    ::backtrace(&frame, 1);
+}
+
+/// Tells of the exception that is being handled.
+int complain_of_exception() noexcept try { throw; } catch (const Error& e) {
+    return complain(e.code(), e.what());
+} catch (const std::bad_alloc&) {
+    return complain(ExitCode::failure,
+                    "out of memory: ask for a smaller picture, map or sample count");
+} catch (const std::system_error& e) {
+    return complain(ExitCode::bad_file, std::ferror(stdout) != 0 ? lost_output : e.what());
+} catch (const std::exception& e) {
+    return complain(ExitCode::failure, e.what());
+} catch (...) {
+    return complain(ExitCode::failure, "ended by an unknown exception");
+}
+
+/// Memory may end inside a destructor, which no exception may leave: those of nlohmann's JSON
+/// allocate. Files are whole at any moment, so the program can end anywhere.
+[[noreturn]] void end_at_once() {
+    if (!std::current_exception()) std::abort();
+    std::_Exit(complain_of_exception());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
+    std::set_terminate(end_at_once);
     occupy_standard_descriptors();
+    load_unwinder();
     if (const std::string defects = floating_point_defects(); !defects.empty())
         return complain(ExitCode::inexact_build, "this build or process is not exact: " + defects);
     CLI::App app{"twofold: lighting functions as two textures, drawn bit-exactly to named presets",
@@ -192,13 +224,6 @@ int main(int argc, char** argv) try {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         return complain(ExitCode::bad_file, lost_output);
     return static_cast<int>(code);
-} catch (const twofold::Error& e) {
-    return complain(e.code(), e.what());
-} catch (const std::bad_alloc&) {
-    return complain(ExitCode::failure,
-                    "out of memory: ask for a smaller picture, map or sample count");
-} catch (const std::system_error& e) {
-    return complain(ExitCode::bad_file, std::ferror(stdout) != 0 ? lost_output : e.what());
-} catch (const std::exception& e) {
-    return complain(ExitCode::failure, e.what());
+} catch (...) {
+    return complain_of_exception();
 }

@@ -199,10 +199,13 @@ void write_file_atomically(const fs::path& path, std::string_view text) {
 
 int remove_stale_temporaries(const fs::path& folder) {
     std::vector<fs::path> stale;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const auto pid = process_of_temporary(entry.path().filename().string());
-        if (pid && !is_another_running_process(*pid)) stale.push_back(entry.path());
+    std::error_code error;
+    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
+        const auto pid = process_of_temporary(i->path().filename().string());
+        if (pid && !is_another_running_process(*pid)) stale.push_back(i->path());
     }
+    if (error)
+        throw Error(ExitCode::bad_file, folder.string() + ": cannot be listed: " + error.message());
     const auto removed = std::count_if(stale.begin(), stale.end(), [](const fs::path& path) {
         return ::unlink(path.c_str()) == 0;  // never removes a folder
     });

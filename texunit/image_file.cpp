@@ -89,7 +89,7 @@ void limit_open_image_io() {
 
 /// OpenImageIO tells of exceptions, and libpng of what malloc refused, by texts alone.
 std::string checked_reason(const std::string& reason) {
-    for (const char* text : {"bad_alloc", "nsufficient memory", "ut of memory"})
+    for (const char* text : {"bad_alloc", "nsufficient memory", "ut of memory", "allocate memory"})
         if (reason.find(text) != std::string::npos) throw std::bad_alloc();
     return reason.empty() ? "no reason given" : reason;
 }

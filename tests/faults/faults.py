@@ -4,7 +4,7 @@ import random
 from program import LAST, Order
 
 FILE_CALLS = ("open", "read", "write", "fsync", "close", "rename", "unlink", "mkdir", "stat", "readdir")
-KILLS = 500
+KILLS = 1000  # some of them come when the run has ended
 FULL_DISKS = 200
 MEMORY_STEPS = 200
 
