@@ -224,6 +224,8 @@ int main(int argc, char** argv) try {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         return complain(ExitCode::bad_file, lost_output);
     return static_cast<int>(code);
+} catch (const std::bad_alloc&) {
+    end_at_once();  // OpenImageIO's tables may be half made, and abort when they are destroyed
 } catch (...) {
     return complain_of_exception();
 }

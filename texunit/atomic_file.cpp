@@ -139,6 +139,20 @@ bool is_another_running_process(pid_t pid) {
     return pid != ::getpid() && (::kill(pid, 0) == 0 || errno == EPERM);
 }
 
+/// Temporary files in the folder that no running process is going to rename. The iterator's
+/// functions that throw are used: those with an error_code allocate too, and end the program if
+/// they cannot.
+std::vector<fs::path> stale_temporaries(const fs::path& folder) try {
+    std::vector<fs::path> stale;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const auto pid = process_of_temporary(entry.path().filename().string());
+        if (pid && !is_another_running_process(*pid)) stale.push_back(entry.path());
+    }
+    return stale;
+} catch (const fs::filesystem_error& e) {
+    throw Error(ExitCode::bad_file, folder.string() + ": cannot be listed: " + e.code().message());
+}
+
 /// Opens without waiting: a named pipe would otherwise block until somebody writes to it.
 int open_to_read(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -198,14 +212,7 @@ void write_file_atomically(const fs::path& path, std::string_view text) {
 }
 
 int remove_stale_temporaries(const fs::path& folder) {
-    std::vector<fs::path> stale;
-    std::error_code error;
-    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
-        const auto pid = process_of_temporary(i->path().filename().string());
-        if (pid && !is_another_running_process(*pid)) stale.push_back(i->path());
-    }
-    if (error)
-        throw Error(ExitCode::bad_file, folder.string() + ": cannot be listed: " + error.message());
+    const std::vector<fs::path> stale = stale_temporaries(folder);
     const auto removed = std::count_if(stale.begin(), stale.end(), [](const fs::path& path) {
         return ::unlink(path.c_str()) == 0;  // never removes a folder
     });

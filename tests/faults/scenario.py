@@ -36,21 +36,9 @@ def arguments(text, work, out):
     return [re.sub(r"^(IN|OUT|MADE)\b", lambda m: str(named[m[1]]), word) for word in text.split()]
 
 
-def processor():
-    """The name that stands among a cell's times; "unknown" there if it could not be read."""
-    for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name") and ": " in line:
-            return line.split(": ", 1)[1].encode()
-    return b"unknown"
-
-
-PROCESSOR = processor()
-
-
 def files_of(folder):
     """Contents by name."""
-    return {str(p.relative_to(folder)): p.read_bytes().replace(PROCESSOR, b"unknown")
-            for p in folder.rglob("*") if p.is_file()}
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
 
 
 def fill(folder, files):
@@ -133,7 +121,8 @@ class Scenario:
         if order.call == "allocate" and answer.code() == 4 and CODEC.match(text):
             return "error of a picture's library", ""
         if order.call == "allocate":
-            fits = answer.code() == 2 and "out of memory" in text
+            fits = ((answer.code(), "out of memory" in text) == (2, True)
+                    or (answer.code(), "Cannot allocate memory" in text) == (4, True))
         elif order.call == "thread":
             fits = answer.code() in (2, 4) and text.startswith("twofold: ")
         else:
