@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "scenes/assets.hpp"
-#include "scenes/json_text.hpp"
 #include "scenes/texture_images.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
@@ -39,7 +38,7 @@ std::size_t texture_count(FactorSet::Kind kind) {
 
 FactorSet parse_factor_set(std::string_view text, const std::string& file) {
     FactorSet set;
-    set.name = scene_io::printable(std::string(take_line(text)));
+    set.name = printable(take_line(text));
     std::string_view kind_line = take_line(text);
     const auto kind = parse_integer(take_word(kind_line));
     if (!kind || *kind < 0 || *kind > 2) fail(file, 2, "the kind is none of 0, 1 and 2");

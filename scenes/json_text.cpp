@@ -167,13 +167,6 @@ std::string indented(const ordered_json& value, std::size_t depth) {
 
 }  // namespace
 
-std::string printable(std::string_view text, std::size_t limit) {
-    std::string result(text.substr(0, limit));
-    for (char& c : result)
-        if (c < ' ' || c > '~') c = '?';
-    return text.size() > limit ? result + "..." : result;
-}
-
 nlohmann::json parse_json(std::string_view text, std::string_view file) {
     check_bytes(text, file);
     Watcher watcher(file);

@@ -9,10 +9,6 @@ namespace twofold::scene_io {
 inline constexpr std::size_t max_json_bytes = std::size_t{1} << 20;
 inline constexpr int max_json_depth = 32;
 
-/// `text` shortened and with every byte that is not printable ASCII replaced, fit for an error
-/// message.
-std::string printable(std::string_view text, std::size_t limit = 60);
-
 /// The value that `text` stands for; // and /* */ comments are skipped.
 ///
 /// Stricter than the JSON library: a key written twice, a NUL byte, a number beyond binary64, more

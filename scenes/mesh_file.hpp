@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "raster/mesh.hpp"
 
@@ -14,19 +16,21 @@ namespace twofold {
 constexpr std::size_t max_mesh_vertices = 10'000'000;
 constexpr std::size_t max_mesh_triangles = 20'000'000;
 
-/// Reads the faces of a Wavefront OBJ file: v (with optional w, or r g b in [0, 1]), vt, vn and f;
+/// The faces of a Wavefront OBJ file: v (with optional w, or r g b in [0, 1]), vt, vn and f;
 /// everything else is skipped. A face is cut into the fan of its first corner. Corners with equal
 /// indices share one vertex, in order of first use. Normals are made unit; missing or zero ones are
 /// computed from the faces that share the position (`vertex_normals`).
 /// @throws Error(bad_file) naming file and line: an unreadable or infinite number, an index that is
 /// zero or
 ///         beyond its list, a face of fewer than three corners.
+Mesh parse_obj(std::string_view text, const std::string& name);
 Mesh read_obj(const std::filesystem::path& path);
 
-/// Reads a PLY file, ascii or binary little-endian: element `vertex` with x y z and optional nx ny
+/// The faces of a PLY file, ascii or binary little-endian: element `vertex` with x y z and optional nx ny
 /// nz, element `face` with the list vertex_indices (or vertex_index); other elements and properties
-/// are skipped. Faces and normals as in read_obj().
+/// are skipped. Faces and normals as in parse_obj().
 /// @throws Error(bad_file) naming the file and the line, element or value at fault.
+Mesh parse_ply(std::string_view content, const std::string& name);
 Mesh read_ply(const std::filesystem::path& path);
 
 /// What to know about a mesh before it is drawn. Nothing is repaired: normals decide what is lit,

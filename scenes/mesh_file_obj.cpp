@@ -246,9 +246,7 @@ Mesh build_mesh(const ObjContent& content, const std::string& name) {
 
 }  // namespace
 
-Mesh read_obj(const std::filesystem::path& path) {
-    const std::string name = path.string();
-    const std::string text = read_text_file(path, max_obj_bytes);
+Mesh parse_obj(std::string_view text, const std::string& name) {
     if (is_git_lfs_pointer({reinterpret_cast<const unsigned char*>(text.data()), text.size()}))
         throw Error(ExitCode::bad_file, name +
                                             ": a Git LFS pointer instead of the mesh; fetch it "
@@ -257,6 +255,10 @@ Mesh read_obj(const std::filesystem::path& path) {
     if (content.corners.empty()) throw Error(ExitCode::bad_file, name + ": no faces");
     drop_zero_normals(content);
     return build_mesh(content, name);
+}
+
+Mesh read_obj(const std::filesystem::path& path) {
+    return parse_obj(read_text_file(path, max_obj_bytes), path.string());
 }
 
 }  // namespace twofold

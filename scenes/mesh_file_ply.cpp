@@ -231,9 +231,7 @@ void complete_normals(Mesh& mesh) {
 
 }  // namespace
 
-Mesh read_ply(const std::filesystem::path& path) {
-    const std::string name = path.string();
-    const std::string content = read_text_file(path, max_ply_bytes);
+Mesh parse_ply(std::string_view content, const std::string& name) {
     if (is_git_lfs_pointer(
             {reinterpret_cast<const unsigned char*>(content.data()), content.size()}))
         fail(name, "a Git LFS pointer instead of the mesh; fetch it with 'git lfs pull'");
@@ -242,6 +240,10 @@ Mesh read_ply(const std::filesystem::path& path) {
     Mesh mesh = read_elements(header, values);
     complete_normals(mesh);
     return mesh;
+}
+
+Mesh read_ply(const std::filesystem::path& path) {
+    return parse_ply(read_text_file(path, max_ply_bytes), path.string());
 }
 
 }  // namespace twofold

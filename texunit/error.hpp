@@ -1,6 +1,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace twofold {
 
@@ -24,5 +25,14 @@ class Error : public std::runtime_error {
   private:
     ExitCode code_;
 };
+
+/// `text` shortened and with every byte that is not printable ASCII replaced: what a file says is
+/// fit for an error message and does not reach the terminal.
+inline std::string printable(std::string_view text, std::size_t limit = 60) {
+    std::string result(text.substr(0, limit));
+    for (char& c : result)
+        if (c < ' ' || c > '~') c = '?';
+    return text.size() > limit ? result + "..." : result;
+}
 
 }  // namespace twofold

@@ -50,19 +50,19 @@ Error bad_file(const std::string& name, const std::string& what) {
     return Error(ExitCode::bad_file, name + ": " + what);
 }
 
-bool starts_with(const Bytes& bytes, std::string_view magic) {
+bool starts_with(std::span<const unsigned char> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() &&
            std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
-std::string first_bytes(const Bytes& bytes) {
+std::string first_bytes(std::span<const unsigned char> bytes) {
     std::string text;
     for (std::size_t i = 0; i < bytes.size() && i < 8; ++i)
         text += fmt::format("{}{:02x}", i == 0 ? "" : " ", bytes[i]);
     return text;
 }
 
-const Format& identify(const Bytes& bytes, const std::string& name) {
+const Format& identify(std::span<const unsigned char> bytes, const std::string& name) {
     if (bytes.empty()) throw bad_file(name, "empty file");
     if (is_git_lfs_pointer(bytes))
         throw bad_file(name,
@@ -104,7 +104,7 @@ Error reader_error(const Input& input, const char* what) {
 /// Opens with the reader of `format` alone. All four read from memory in OpenImageIO 2.4; one that
 /// does not would have to open the file by name, past the bytes that were checked, so it is
 /// refused.
-Input open_input(const Bytes& bytes, const Format& format, const std::string& name) {
+Input open_input(std::span<const unsigned char> bytes, const Format& format, const std::string& name) {
     limit_open_image_io();
     Input input{name,
                 std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
@@ -156,7 +156,7 @@ void check_layout(const OIIO::ImageSpec& spec, const std::string& name) {
 
 /// libpng stops at the last row, so a file that lost its end would pass; walk the chunks to IEND
 /// instead.
-void check_png_end(const Bytes& bytes, const std::string& name) {
+void check_png_end(std::span<const unsigned char> bytes, const std::string& name) {
     std::size_t at = 8;
     while (bytes.size() - at >= 12) {
         std::size_t length = 0;
@@ -176,7 +176,7 @@ std::int64_t most_pixels(std::size_t file_bytes, const Format& format,
     return static_cast<std::int64_t>(file_bytes) * format.max_pixels_per_byte * packed;
 }
 
-Input open_checked(const Bytes& bytes, const std::string& name) {
+Input open_checked(std::span<const unsigned char> bytes, const std::string& name) {
     const Format& format = identify(bytes, name);
     if (std::string_view(format.reader) == "png") check_png_end(bytes, name);
     Input input = open_input(bytes, format, name);
@@ -234,14 +234,6 @@ std::vector<float> read_floats(Input& input) {
     return read_samples<float>(input, OIIO::TypeDesc::FLOAT);
 }
 
-ReadImage decode_float(const Bytes& bytes, const std::string& name) {
-    Input input = open_checked(bytes, name);
-    ReadImage result{{input.spec.width, input.spec.height, input.spec.nchannels, {}},
-                     notes_of(input.spec)};
-    result.image.samples = read_floats(input);
-    return result;
-}
-
 /// One pixel of 1 to 4 channels: grey, grey and alpha, RGB, RGBA.
 Rgba8 spread(const unsigned char* s, int channels) {
     switch (channels) {
@@ -254,21 +246,6 @@ Rgba8 spread(const unsigned char* s, int channels) {
         default:
             return {s[0], s[1], s[2], s[3]};
     }
-}
-
-ByteImage decode_png(const Bytes& bytes, const std::string& name) {
-    if (std::string_view(identify(bytes, name).reader) != "png")
-        throw bad_file(name, "not a PNG file");
-    Input input = open_checked(bytes, name);
-    if (input.spec.format != OIIO::TypeDesc::UINT8)
-        throw bad_file(name, "more than 8 bits a channel");
-    const auto samples = read_samples<unsigned char>(input, OIIO::TypeDesc::UINT8);
-    const auto channels = static_cast<std::size_t>(input.spec.nchannels);
-    ByteImage image{input.spec.width, input.spec.height, {}};
-    image.pixels.reserve(samples.size() / channels);
-    for (std::size_t i = 0; i < samples.size(); i += channels)
-        image.pixels.push_back(spread(&samples[i], input.spec.nchannels));
-    return image;
 }
 
 /// A picture that cannot be written is the caller's mistake, so no file is named.
@@ -304,8 +281,31 @@ Bytes encode(const char* format, const OIIO::ImageSpec& spec, const void* sample
 
 }  // namespace
 
+ReadImage decode_float_image(std::span<const unsigned char> bytes, const std::string& name) {
+    Input input = open_checked(bytes, name);
+    ReadImage result{{input.spec.width, input.spec.height, input.spec.nchannels, {}},
+                     notes_of(input.spec)};
+    result.image.samples = read_floats(input);
+    return result;
+}
+
 ReadImage read_float_image(const std::filesystem::path& path) {
-    return decode_float(read_file(path, max_file_bytes), path.string());
+    return decode_float_image(read_file(path, max_file_bytes), path.string());
+}
+
+ByteImage decode_png(std::span<const unsigned char> bytes, const std::string& name) {
+    if (std::string_view(identify(bytes, name).reader) != "png")
+        throw bad_file(name, "not a PNG file");
+    Input input = open_checked(bytes, name);
+    if (input.spec.format != OIIO::TypeDesc::UINT8)
+        throw bad_file(name, "more than 8 bits a channel");
+    const auto samples = read_samples<unsigned char>(input, OIIO::TypeDesc::UINT8);
+    const auto channels = static_cast<std::size_t>(input.spec.nchannels);
+    ByteImage image{input.spec.width, input.spec.height, {}};
+    image.pixels.reserve(samples.size() / channels);
+    for (std::size_t i = 0; i < samples.size(); i += channels)
+        image.pixels.push_back(spread(&samples[i], input.spec.nchannels));
+    return image;
 }
 
 ByteImage read_png(const std::filesystem::path& path) {

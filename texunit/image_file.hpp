@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,14 @@ struct ReadImage {
 /// reported and never divided by, integers become v / 255 or v / 65535 without any curve, alpha is
 /// not multiplied in. The scale of a PFM file is multiplied in, as that format says.
 /// @throws Error(bad_file) naming the file and what is wrong with it.
+ReadImage decode_float_image(std::span<const unsigned char> bytes, const std::string& name);
 ReadImage read_float_image(const std::filesystem::path& path);
 
 /// Reads a PNG of 8 bits a channel (or fewer) as RGBA: RGB gets alpha 255, grey is spread over r, g
 /// and b.
 /// @throws Error(bad_file) naming the file and what is wrong with it; 16 bits a channel are
 /// refused.
+ByteImage decode_png(std::span<const unsigned char> bytes, const std::string& name);
 ByteImage read_png(const std::filesystem::path& path);
 
 /// A PNG of 8-bit RGBA, never premultiplied. Same picture, same bytes (for one release of zlib).

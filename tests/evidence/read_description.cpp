@@ -49,7 +49,7 @@ void read_framebuffer(const JsonValue& value, Description& description) {
 template <class Members>
 void require_member(const Members& members, const std::string& name, const JsonValue& place) {
     if (members.find(name) == members.end())
-        place.fail(fmt::format("'{}' is not there", scene_io::printable(name)));
+        place.fail(fmt::format("'{}' is not there", printable(name)));
 }
 
 /// A texture that is a surface, not its bytes reread, has the surface's size and width of pixels.

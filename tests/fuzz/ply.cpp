@@ -1,0 +1,9 @@
+#include "tests/fuzz/check_mesh.hpp"
+
+namespace twofold::hostile {
+
+bool ply(Input bytes) {
+    return reads(ExitCode::bad_file, [&] { check_mesh(parse_ply(text_of(bytes), file_name)); });
+}
+
+}  // namespace twofold::hostile
