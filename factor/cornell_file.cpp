@@ -30,7 +30,7 @@ class Numbers {
         const auto number = parse_real(word);
         if (!number || !(*number >= low && *number <= high))
             fail(fmt::format("{}: {} is no number of {} to {}", what,
-                             word.empty() ? "the end" : fmt::format("'{}'", word.substr(0, 32)),
+                             word.empty() ? "the end" : fmt::format("'{}'", printable(word, 32)),
                              low, high));
         skip_blanks();
         return *number;

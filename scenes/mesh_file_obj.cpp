@@ -74,9 +74,9 @@ class ObjParser {
         std::vector<double> result;
         for (const std::string_view word : words(line)) {
             const auto value = parse_real(word);
-            if (!value) fail(fmt::format("'{}' is not a number", word.substr(0, 40)));
+            if (!value) fail(fmt::format("'{}' is not a number", printable(word, 40)));
             if (!(*value >= -max_coordinate && *value <= max_coordinate))
-                fail(fmt::format("{} is out of range", word.substr(0, 40)));
+                fail(fmt::format("{} is out of range", printable(word, 40)));
             result.push_back(*value);
         }
         if (result.size() < least || result.size() > most)
@@ -147,14 +147,15 @@ class ObjParser {
     }
 
     [[noreturn]] void malformed(std::string_view word) const {
-        fail(fmt::format("'{}' is not a corner such as 1, 1/2, 1//3 or 1/2/3", word.substr(0, 40)));
+        fail(
+            fmt::format("'{}' is not a corner such as 1, 1/2, 1//3 or 1/2/3", printable(word, 40)));
     }
 
     /// Counts from 1, or backwards from the end of the list so far. A positive index may name a
     /// line that is still to come, so only the greatest is kept and checked at the end.
     int index(std::string_view digits, std::size_t list) {
         const auto value = parse_integer(digits);
-        if (!value) fail(fmt::format("'{}' is not an index", digits.substr(0, 40)));
+        if (!value) fail(fmt::format("'{}' is not an index", printable(digits, 40)));
         const auto size = static_cast<long long>(list_size(list));
         if (*value == 0 || *value < -size || *value > static_cast<long long>(max_mesh_vertices))
             out_of_range(*value, list);

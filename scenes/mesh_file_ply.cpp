@@ -9,6 +9,7 @@
 #include "scenes/mesh_normals.hpp"
 #include "scenes/ply_header.hpp"
 #include "texunit/atomic_file.hpp"
+#include "texunit/error.hpp"
 #include "texunit/number_text.hpp"
 
 namespace twofold {
@@ -39,7 +40,7 @@ class Values {
         const std::string_view word = take_word(data_);
         if (word.empty()) fail(name_, "truncated");
         const auto value = parse_real(word);
-        if (!value) fail(name_, fmt::format("'{}' is not a number", word.substr(0, 40)));
+        if (!value) fail(name_, fmt::format("'{}' is not a number", printable(word, 40)));
         return *value;
     }
 
@@ -106,10 +107,11 @@ class RowReader {
         std::size_t least = 0;
         for (const Property& p : element_.properties)
             least += values_.least_bytes(p.count.value_or(p.type));
-        if (least == 0) fail(values_.name(), "element '" + element_.name + "' has no properties");
+        if (least == 0)
+            fail(values_.name(), "element '" + printable(element_.name) + "' has no properties");
         if (element_.count > values_.remaining() / least)
             fail(values_.name(), fmt::format("truncated: no room for {} items of element '{}'",
-                                             element_.count, element_.name));
+                                             element_.count, printable(element_.name)));
     }
 
     void read_list(const Property& property, bool wanted) {
@@ -117,8 +119,8 @@ class RowReader {
         const double room =
             static_cast<double>(values_.remaining() / values_.least_bytes(property.type));
         if (!(count >= 0.0 && count <= room) || count != std::floor(count))
-            fail(values_.name(),
-                 fmt::format("a list of {} values in element '{}'", count, element_.name));
+            fail(values_.name(), fmt::format("a list of {} values in element '{}'", count,
+                                             printable(element_.name)));
         for (double i = 0.0; i < count; i += 1.0) {
             const double value = values_.next(property.type);
             if (wanted) row_.list.push_back(value);

@@ -28,7 +28,7 @@ Type parse_type(std::string_view word, const std::string& name) {
                                                         {"double", {Kind::real, 8}},
                                                         {"float64", {Kind::real, 8}}};
     const auto found = types.find(word);
-    if (found == types.end()) fail(name, fmt::format("unknown PLY type '{}'", word.substr(0, 40)));
+    if (found == types.end()) fail(name, fmt::format("unknown PLY type '{}'", printable(word, 40)));
     return found->second;
 }
 
@@ -36,14 +36,15 @@ bool parse_format(std::string_view line, const std::string& name) {
     const std::string_view format = take_word(line);
     if (format != "ascii" && format != "binary_little_endian")
         fail(name, fmt::format("PLY format '{}'; readable are ascii and binary_little_endian",
-                               format.substr(0, 40)));
+                               printable(format, 40)));
     return format != "ascii";
 }
 
 Element parse_element(std::string_view line, const std::string& name) {
     const std::string_view element = take_word(line);
     const auto count = parse_integer(take_word(line));
-    if (!count || *count < 0) fail(name, fmt::format("element '{}' without a count", element));
+    if (!count || *count < 0)
+        fail(name, fmt::format("element '{}' without a count", printable(element)));
     return {std::string(element), static_cast<std::size_t>(*count), {}};
 }
 
@@ -65,7 +66,7 @@ void add_line(Header& header, std::string_view keyword, std::string_view rest,
         if (header.elements.empty()) fail(name, "a PLY property before any element");
         header.elements.back().properties.push_back(parse_property(rest, name));
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        fail(name, fmt::format("unknown PLY header line '{}'", keyword.substr(0, 40)));
+        fail(name, fmt::format("unknown PLY header line '{}'", printable(keyword, 40)));
     }
 }
 

@@ -104,7 +104,8 @@ Error reader_error(const Input& input, const char* what) {
 /// Opens with the reader of `format` alone. All four read from memory in OpenImageIO 2.4; one that
 /// does not would have to open the file by name, past the bytes that were checked, so it is
 /// refused.
-Input open_input(std::span<const unsigned char> bytes, const Format& format, const std::string& name) {
+Input open_input(std::span<const unsigned char> bytes, const Format& format,
+                 const std::string& name) {
     limit_open_image_io();
     Input input{name,
                 std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),

@@ -1,5 +1,4 @@
 #include "scenes/scene_file.hpp"
-
 #include "tests/fuzz/promises.hpp"
 
 namespace twofold::hostile {
