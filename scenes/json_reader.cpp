@@ -64,11 +64,10 @@ std::string joined(const std::string& path, std::string_view name) {
 std::string did_you_mean(std::string_view wrong, const std::vector<std::string_view>& known) {
     if (known.empty()) return "";
     const std::string name = printable(wrong);
-    const auto nearer = [&](std::string_view a, std::string_view b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-    };
-    return fmt::format("; did you mean '{}'?",
-                       *std::min_element(known.begin(), known.end(), nearer));
+    std::vector<std::size_t> distances;
+    for (const std::string_view other : known) distances.push_back(edit_distance(name, other));
+    const auto nearest = std::min_element(distances.begin(), distances.end()) - distances.begin();
+    return fmt::format("; did you mean '{}'?", known[static_cast<std::size_t>(nearest)]);
 }
 
 void JsonValue::fail(std::string_view what) const {
