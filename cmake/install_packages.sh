@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: install_packages.sh build|check|gl|study|platforms
+# Installs the Debian packages that are missing: install_packages.sh build|check|gl|study|platforms|fuzz
 # docs/dependencies.md says what each is for.
 set -euo pipefail
 
@@ -15,6 +15,8 @@ platforms=(g++ clang cmake ninja-build python3 libglm-dev libfmt-dev libtbb-dev 
            g++-i686-linux-gnu g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu
            g++-powerpc64le-linux-gnu g++-mips64el-linux-gnuabi64 g++-s390x-linux-gnu
            wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs)
+# libFuzzer and the sanitizers (tests/fuzz/run).
+fuzz=("${build[@]}" clang libclang-rt-14-dev python3)
 # To drive the shards of a study.
 study=("${build[@]}" snakemake)
 
@@ -24,7 +26,8 @@ case "${1:-}" in
     gl) wanted=("${gl[@]}") ;;
     study) wanted=("${study[@]}") ;;
     platforms) wanted=("${platforms[@]}") ;;
-    *) echo "usage: $0 build|check|gl|study|platforms" >&2; exit 2 ;;
+    fuzz) wanted=("${fuzz[@]}") ;;
+    *) echo "usage: $0 build|check|gl|study|platforms|fuzz" >&2; exit 2 ;;
 esac
 
 missing=()

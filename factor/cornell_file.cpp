@@ -13,6 +13,8 @@ namespace {
 
 constexpr double most_wavelengths = 1024.0;
 constexpr double most_value = 1e9;
+/// Cornell's files have 1,439 each; a value between samples looks at all of them.
+constexpr std::size_t most_samples = 100'000;
 
 /// The numbers of a text, comments left out.
 class Numbers {
@@ -88,6 +90,8 @@ MeasuredData parse_cornell(std::string_view text, std::string_view name) {
         for (const Rgb& weight : weights)
             sample.f += weight * numbers.next("value", -most_value, most_value);
         for (std::size_t c = 0; c < 3; ++c) data.counts[c].add(sample.f[static_cast<int>(c)]);
+        if (data.scattered.size() == most_samples)
+            numbers.fail(fmt::format("more than {} measurements", most_samples));
         data.scattered.push_back(sample);
     }
     if (data.scattered.empty()) numbers.fail("no measurement");

@@ -5,9 +5,9 @@
 #include <limits>
 #include <memory>
 
-#include "factor/byte_cursor.hpp"
 #include "factor/measured_data.hpp"
 #include "factor/surface_angles.hpp"
+#include "texunit/byte_cursor.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/fixed.hpp"
 

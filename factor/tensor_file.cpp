@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "factor/byte_cursor.hpp"
+#include "texunit/byte_cursor.hpp"
 
 namespace twofold {
 namespace {
@@ -79,11 +79,16 @@ std::map<std::string, Tensor> parse_tensors(std::span<const unsigned char> bytes
     const auto fields = at.value<std::uint32_t>();
     if (fields > most_fields) at.fail(fmt::format("{} fields", fields));
     std::map<std::string, Tensor> tensors;
+    // Fields that shared their bytes could ask for many times the file's length.
+    std::size_t room = bytes.size() / 4;
     for (std::uint32_t i = 0; i < fields; ++i) {
         const Entry entry = read_entry(at);
         if (std::find(wanted.begin(), wanted.end(), entry.name) != wanted.end() &&
-            !tensors.contains(entry.name))
-            tensors.emplace(entry.name, read_tensor(at, entry));
+            !tensors.contains(entry.name)) {
+            const Tensor& read = tensors.emplace(entry.name, read_tensor(at, entry)).first->second;
+            if (read.values.size() > room) at.fail("fields lie over each other");
+            room -= read.values.size();
+        }
     }
     for (const std::string_view field : wanted)
         if (!tensors.contains(std::string(field))) at.fail(fmt::format("no field '{}'", field));

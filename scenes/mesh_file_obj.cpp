@@ -234,14 +234,13 @@ Mesh build_mesh(const ObjContent& content, const std::string& name) {
     for (const Corner& corner : content.corners) {
         const auto next = static_cast<std::uint32_t>(mesh.positions.size());
         const auto [entry, added] = vertex_of.emplace(corner, next);
+        if (added && next == max_mesh_vertices)
+            throw Error(ExitCode::bad_file,
+                        fmt::format("{}: more than {} vertices after its corners are told apart",
+                                    name, max_mesh_vertices));
         if (added) append_vertex(mesh, content, computed, corner);
         mesh.indices.push_back(entry->second);
     }
-    if (mesh.positions.size() > max_mesh_vertices)
-        throw Error(ExitCode::bad_file,
-                    fmt::format("{}: more than {} vertices after its corners are "
-                                "told apart",
-                                name, max_mesh_vertices));
     return mesh;
 }
 

@@ -16,6 +16,7 @@
 
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
+#include "texunit/image_header.hpp"
 
 namespace twofold {
 namespace {
@@ -23,9 +24,9 @@ namespace {
 using Bytes = std::vector<unsigned char>;
 
 constexpr const char* pinned_date = "1970:01:01 00:00:00";
-constexpr int max_side = 16384;
-constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
-constexpr int max_channels = 4;
+constexpr int max_side = max_picture_side;
+constexpr int max_channels = max_picture_channels;
+constexpr int rows_of_strip = 256;  // the longest blocks of rows that OpenEXR packs
 constexpr std::size_t max_file_bytes = std::size_t{1} << 32;
 
 /// A format that is read, and how OpenImageIO calls it.
@@ -34,13 +35,13 @@ struct Format {
     const char* reader;
     /// What its compression can reach at best: a header that claims more pixels than the file can
     /// hold is refused before they are allocated. A Radiance run is 127 pixels in 8 bytes; deflate
-    /// reaches 1032 : 1, which is 8256 one-bit pixels of a PNG a byte.
+    /// reaches 1032 : 1, and what a pixel of a PNG takes is in its header.
     std::int64_t max_pixels_per_byte;
 };
 
 constexpr std::array<Format, 7> formats{{{"#?", "hdr", 16},
                                          {"\x76\x2f\x31\x01", "openexr", 1032},
-                                         {"\x89PNG\r\n\x1a\n", "png", 8256},
+                                         {"\x89PNG\r\n\x1a\n", "png", 1032},
                                          {"PF", "pnm", 1},
                                          {"Pf", "pnm", 1},
                                          {"P6", "pnm", 1},
@@ -95,10 +96,12 @@ std::string checked_reason(const std::string& reason) {
     return reason.empty() ? "no reason given" : reason;
 }
 
+/// With the first line of the reader's own reason.
 Error reader_error(const Input& input, const char* what) {
     const std::string reason = checked_reason(input.reader->geterror());
     return bad_file(input.name,
-                    fmt::format("{} {} data: {}", what, input.reader->format_name(), reason));
+                    fmt::format("{} {} data: {}", what, input.reader->format_name(),
+                                printable(reason.substr(0, reason.find('\n')), 240)));
 }
 
 /// Opens with the reader of `format` alone. All four read from memory in OpenImageIO 2.4; one that
@@ -111,7 +114,8 @@ Input open_input(std::span<const unsigned char> bytes, const Format& format,
                 std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
                 OIIO::ImageInput::create(format.reader),
                 {}};
-    if (!input.reader || !input.reader->supports("ioproxy"))
+    if (!input.reader || input.reader->format_name() != std::string_view(format.reader) ||
+        !input.reader->supports("ioproxy"))
         throw bad_file(name, fmt::format("OpenImageIO cannot read {} from memory: {}",
                                          format.reader, checked_reason(OIIO::geterror())));
     input.reader->set_ioproxy(input.proxy.get());
@@ -124,10 +128,7 @@ Input open_input(std::span<const unsigned char> bytes, const Format& format,
 
 void check_size(const OIIO::ImageSpec& spec, std::int64_t pixels_possible,
                 const std::string& name) {
-    if (spec.width < 1 || spec.height < 1 || spec.width > max_side || spec.height > max_side ||
-        std::int64_t{spec.width} * spec.height > max_pixels)
-        throw bad_file(name, fmt::format("{} x {} pixels, allowed are 1 to {} a side", spec.width,
-                                         spec.height, max_side));
+    check_picture_size(spec.width, spec.height, name);
     if (std::int64_t{spec.width} * spec.height > pixels_possible)
         throw bad_file(name, fmt::format("{} x {} pixels do not fit into a file of this length: "
                                          "truncated or damaged",
@@ -148,40 +149,33 @@ void check_layout(const OIIO::ImageSpec& spec, const std::string& name) {
         throw bad_file(name, "rows or columns are not stored from the top left; turn it first");
     const auto& names = spec.channelnames;
     if (spec.nchannels >= 3 && (names[0] != "R" || names[1] != "G" || names[2] != "B"))
-        throw bad_file(name, fmt::format("channels {}, {}, {} where R, G, B are expected", names[0],
-                                         names[1], names[2]));
+        throw bad_file(
+            name, fmt::format("channels {}, {}, {} where R, G, B are expected", printable(names[0]),
+                              printable(names[1]), printable(names[2])));
     for (int c = 0; c < spec.nchannels; ++c)
         if (spec.channelformat(c) == OIIO::TypeDesc::UINT)
             throw bad_file(name, "32-bit integer channels, which have no value as a colour");
 }
 
-/// libpng stops at the last row, so a file that lost its end would pass; walk the chunks to IEND
-/// instead.
-void check_png_end(std::span<const unsigned char> bytes, const std::string& name) {
-    std::size_t at = 8;
-    while (bytes.size() - at >= 12) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
-        if (length > bytes.size() - at - 12) break;
-        if (std::memcmp(&bytes[at + 4], "IEND", 4) == 0) return;
-        at += length + 12;
-    }
-    throw bad_file(name, "truncated PNG: it ends before its end mark");
+/// OpenEXR's DWA packs up to 64 equal pixels into one number before it deflates.
+int pixels_packed(const OIIO::ImageSpec& spec) {
+    return spec.get_string_attribute("compression").starts_with("dwa") ? 64 : 1;
 }
 
-/// OpenEXR's DWA packs up to 64 equal pixels into one number before it deflates.
-std::int64_t most_pixels(std::size_t file_bytes, const Format& format,
-                         const OIIO::ImageSpec& spec) {
-    const std::string compression = spec.get_string_attribute("compression");
-    const int packed = compression.starts_with("dwa") ? 64 : 1;
-    return static_cast<std::int64_t>(file_bytes) * format.max_pixels_per_byte * packed;
+/// What the file can hold by its length, after its own headers have been looked at.
+std::int64_t most_pixels(std::span<const unsigned char> bytes, const Format& format,
+                         const std::string& name) {
+    const std::string_view reader = format.reader;
+    const std::int64_t most = static_cast<std::int64_t>(bytes.size()) * format.max_pixels_per_byte;
+    if (reader == "openexr") check_openexr(bytes, name);
+    return reader == "png" ? 8 * most / check_png(bytes, name) : most;
 }
 
 Input open_checked(std::span<const unsigned char> bytes, const std::string& name) {
     const Format& format = identify(bytes, name);
-    if (std::string_view(format.reader) == "png") check_png_end(bytes, name);
+    const std::int64_t most = most_pixels(bytes, format, name);
     Input input = open_input(bytes, format, name);
-    check_size(input.spec, most_pixels(bytes.size(), format, input.spec), name);
+    check_size(input.spec, most * pixels_packed(input.spec), name);
     check_layout(input.spec, name);
     return input;
 }
@@ -191,12 +185,30 @@ std::size_t sample_count(const OIIO::ImageSpec& spec) {
            static_cast<std::size_t>(spec.nchannels);
 }
 
-/// All samples as T, and no error left behind: read_image() alone does not tell all of them.
+/// Rows [begin, end), which are whole rows of tiles where there are tiles.
+bool read_rows(Input& input, int begin, int end, OIIO::TypeDesc type, void* samples) {
+    const OIIO::ImageSpec& spec = input.spec;
+    if (spec.tile_width != 0)
+        return input.reader->read_tiles(0, 0, 0, spec.width, begin, end, 0, 1, 0, spec.nchannels,
+                                        type, samples);
+    return input.reader->read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, type, samples);
+}
+
+/// All samples as T, and no error left behind: reading alone does not tell all of them. Memory
+/// grows with the rows that the file has: one of a few kilobytes can claim 2^28 pixels.
 template <typename T>
 std::vector<T> read_samples(Input& input, OIIO::TypeDesc type) {
-    std::vector<T> samples(sample_count(input.spec));
-    const bool done = input.reader->read_image(0, 0, 0, input.spec.nchannels, type, samples.data());
-    if (!done || input.reader->has_error()) throw reader_error(input, "truncated or damaged");
+    const OIIO::ImageSpec& spec = input.spec;
+    const std::size_t row = sample_count(spec) / static_cast<std::size_t>(spec.height);
+    const int strip = spec.tile_width != 0 ? spec.tile_height : rows_of_strip;
+    std::vector<T> samples;
+    for (int begin = 0; begin < spec.height; begin += strip) {
+        const int end = std::min(begin + strip, spec.height);
+        const std::size_t before = samples.size();
+        samples.resize(static_cast<std::size_t>(end) * row);
+        const bool done = read_rows(input, begin, end, type, &samples[before]);
+        if (!done || input.reader->has_error()) throw reader_error(input, "truncated or damaged");
+    }
     return samples;
 }
 

@@ -122,6 +122,29 @@ echo '{"image": {"widht": 3}}' >"$work/bad.json"
 expect 2 "did you mean 'width'?" "$twofold" run "$work/bad.json" -o "$work/x"
 expect 2 "1000000000" "$twofold" run "$lobe" -o "$work/x" -D image.width=1000000000
 expect 2 "factorization.samples" "$twofold" run "$lobe" -o "$work/x" -D factorization.samples=1000000000000
+for field in image.width=1000000000 factorization.samples=1000000000000; do
+    expect 2 "sphere-lobe.json: ${field%=*}: ${field#*=} is not in 1.." \
+        bash -c 'ulimit -v 2000000; exec "$@"' - "$twofold" run "$lobe" -o "$work/x" -D "$field"
+done
+# Files that are not what their names say: IFF and SGI pictures, meshes and scenes of another kind
+printf 'FOR4\0\0\1\4CIMGTBHD\0\0\0 \377\377\377\377' >"$work/iff.png"
+cp "$work/iff.png" "$work/iff.hdr"
+cp "$work/iff.png" "$work/iff.exr"
+printf '\1\332\1\1\0\3\377\377\377\377\0\3' >"$work/sgi.hdr"
+printf 'ply\nformat ascii 1.0\nend_header\n' >"$work/a.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/a.ply"
+cp "$scenes/two-passes.json" "$work/flat.json"
+cp "$lobe" "$work/lobe.json"
+expect 4 "iff.png: unknown format (starts with 46 4f 52 34" "$twofold" render "$work/flat.json" -o "$work/x.png" \
+    -D 'textures.t={"file":"iff.png"}'
+for file in iff.png iff.hdr iff.exr sgi.hdr; do
+    expect 4 "$file: unknown format (starts with" "$twofold" run "$work/lobe.json" -o "$work/x" \
+        -D "environment={\"latlong\":\"$file\"}"
+    expect 4 "$file: unknown format (starts with" "$twofold" compare "$work/$file" "$work/quad.exr"
+done
+expect 4 "a.obj: no faces" "$twofold" render "$work/flat.json" -o "$work/x.png" -D 'meshes.m={"file":"a.obj"}'
+expect 4 "a.ply: not a PLY file" "$twofold" render "$work/flat.json" -o "$work/x.png" -D 'meshes.m={"file":"a.ply"}'
+expect 2 "iff.png: line 1, column 5: a NUL byte" "$twofold" run "$work/iff.png" -o "$work/x"
 expect 4 "courtyard.hdr" "$twofold" run "$scenes/gold-suzanne.json" -o "$work/x" -D environment.latlong=no/courtyard.hdr
 echo "in the way" >"$work/file"
 expect 4 "$work/file" "$twofold" run "$lobe" -o "$work/file" "${small[@]}"
