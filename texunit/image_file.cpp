@@ -84,9 +84,13 @@ struct Input {
 };
 
 /// OpenImageIO's own limit is one setting per process; it stands behind the checks made here.
-void limit_open_image_io() {
-    static const bool done = OIIO::attribute("limits:imagesize_MB", 4096);
-    if (!done) throw Error(ExitCode::failure, "OpenImageIO: no setting limits:imagesize_MB");
+/// OpenEXR works in this thread: its own wait for ever if memory ends while work is handed to them.
+void configure_open_image_io() {
+    static const bool done =
+        OIIO::attribute("limits:imagesize_MB", 4096) && OIIO::attribute("exr_threads", -1);
+    if (!done)
+        throw Error(ExitCode::failure,
+                    "OpenImageIO: no settings limits:imagesize_MB and exr_threads");
 }
 
 /// OpenImageIO tells of exceptions, and libpng of what malloc refused, by texts alone.
@@ -109,7 +113,7 @@ Error reader_error(const Input& input, const char* what) {
 /// refused.
 Input open_input(std::span<const unsigned char> bytes, const Format& format,
                  const std::string& name) {
-    limit_open_image_io();
+    configure_open_image_io();
     Input input{name,
                 std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
                 OIIO::ImageInput::create(format.reader),
@@ -277,6 +281,7 @@ OIIO::ImageSpec checked_spec(int width, int height, int channels, std::size_t sa
 }
 
 Bytes encode(const char* format, const OIIO::ImageSpec& spec, const void* samples) {
+    configure_open_image_io();
     Bytes bytes;
     OIIO::Filesystem::IOVecOutput proxy(bytes);
     const auto writer = OIIO::ImageOutput::create(format);
