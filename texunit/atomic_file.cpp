@@ -1,5 +1,6 @@
 #include "texunit/atomic_file.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -139,18 +141,22 @@ bool is_another_running_process(pid_t pid) {
     return pid != ::getpid() && (::kill(pid, 0) == 0 || errno == EPERM);
 }
 
-/// Temporary files in the folder that no running process is going to rename. The iterator's
-/// functions that throw are used: those with an error_code allocate too, and end the program if
-/// they cannot.
-std::vector<fs::path> stale_temporaries(const fs::path& folder) try {
+struct CloseFolder {
+    void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
+/// Temporary files in the folder that no running process is going to rename. The folder is read by
+/// the system's calls: libstdc++'s directory_iterator ends the program where memory ends.
+std::vector<fs::path> stale_temporaries(const fs::path& folder) {
+    const std::unique_ptr<DIR, CloseFolder> listing(::opendir(folder.c_str()));
+    if (!listing) throw system_error(folder.string(), "cannot open the folder", errno);
     std::vector<fs::path> stale;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const auto pid = process_of_temporary(entry.path().filename().string());
-        if (pid && !is_another_running_process(*pid)) stale.push_back(entry.path());
+    for (errno = 0; const dirent* entry = ::readdir(listing.get()); errno = 0) {
+        const auto pid = process_of_temporary(entry->d_name);
+        if (pid && !is_another_running_process(*pid)) stale.push_back(folder / entry->d_name);
     }
+    if (errno != 0) throw system_error(folder.string(), "cannot be listed", errno);
     return stale;
-} catch (const fs::filesystem_error& e) {
-    throw Error(ExitCode::bad_file, folder.string() + ": cannot be listed: " + e.code().message());
 }
 
 /// Opens without waiting: a named pipe would otherwise block until somebody writes to it.

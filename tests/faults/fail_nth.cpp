@@ -157,6 +157,11 @@ int fstat(int file, struct stat* status) {
     return fails(status_of) ? -1 : next(file, status);
 }
 
+DIR* opendir(const char* path) {
+    static const auto next = real(&opendir, "opendir");
+    return fails(open_file) ? nullptr : next(path);
+}
+
 dirent* readdir(DIR* folder) {
     static const auto next = real(&readdir, "readdir");
     return fails(list_folder) ? nullptr : next(folder);

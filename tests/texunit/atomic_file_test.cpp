@@ -170,6 +170,8 @@ TEST_CASE("temporary files of ended processes are swept, others stay", "[file]")
     CHECK_FALSE(fs::exists(temporary_of(folder, own)));
     CHECK(fs::exists(temporary_of(folder, parent)));
     CHECK(entries(folder.path()) == 4);
+    CHECK_THROWS_WITH(remove_stale_temporaries(folder / "none"),
+                      Contains("none: cannot open the folder: No such file"));
 }
 
 TEST_CASE("a temporary file left under our own process number does not stop a write", "[file]") {
