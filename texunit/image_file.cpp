@@ -163,7 +163,8 @@ void check_layout(const OIIO::ImageSpec& spec, const std::string& name) {
 
 /// OpenEXR's DWA packs up to 64 equal pixels into one number before it deflates.
 int pixels_packed(const OIIO::ImageSpec& spec) {
-    return spec.get_string_attribute("compression").starts_with("dwa") ? 64 : 1;
+    const std::string compression = spec.get_string_attribute("compression");
+    return compression.starts_with("dwa") ? 64 : 1;
 }
 
 /// What the file can hold by its length, after its own headers have been looked at.
