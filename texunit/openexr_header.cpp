@@ -11,6 +11,30 @@ namespace {
 constexpr std::uint32_t deep_flag = 0x800, several_parts_flag = 0x1000;
 constexpr std::size_t most_name_bytes = 255;
 
+/// An attribute's type whose values all have one size. OpenEXR reads as many bytes whatever the
+/// file says, and would then take what follows for something else than it was checked as.
+struct FixedType {
+    std::string_view name;
+    std::size_t bytes;
+};
+
+constexpr std::array<FixedType, 24> fixed_types{
+    {{"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
+     {"compression", 1}, {"double", 8},   {"envmap", 1},
+     {"float", 4},       {"int", 4},      {"keycode", 28},
+     {"lineOrder", 1},   {"m33f", 36},    {"m33d", 72},
+     {"m44f", 64},       {"m44d", 128},   {"rational", 8},
+     {"tiledesc", 9},    {"v2f", 8},      {"v2d", 16},
+     {"v2i", 8},         {"v3f", 12},     {"v3d", 24},
+     {"v3i", 12},        {"timecode", 8}, {"deepImageState", 1}}};
+
+void check_fixed_size(std::string_view type, const ByteCursor& at) {
+    for (const FixedType& fixed : fixed_types)
+        if (fixed.name == type && fixed.bytes != at.left())
+            at.fail(fmt::format("an attribute of type {} with {} bytes, not {}", type, at.left(),
+                                fixed.bytes));
+}
+
 /// Up to a NUL byte.
 std::string read_name(ByteCursor& at) {
     std::string text;
@@ -42,22 +66,24 @@ void check_channels(ByteCursor at) {
         if (++channels > max_picture_channels)
             at.fail(fmt::format("more than {} channels", max_picture_channels));
     }
+    if (at.left() != 0) at.fail("a list of channels that ends early");
 }
 
 void check_preview(ByteCursor at) {
     const std::uint64_t width = at.value<std::uint32_t>(), height = at.value<std::uint32_t>();
-    if (width > at.left() || height > at.left() || 4 * width * height > at.left())
+    if (width > at.left() || height > at.left() || 4 * width * height != at.left())
         at.fail(fmt::format("a preview of {} x {} pixels", width, height));
 }
 
 /// Attributes by which OpenEXR allocates. `at` sees this one alone.
 void check_attribute(const std::string& name, const std::string& type, const ByteCursor& at) {
+    check_fixed_size(type, at);
     if (name == "dataWindow" || name == "displayWindow") check_window(at);
     if (type == "tiledesc") check_tiles(at);
     if (type == "chlist") check_channels(at);
     if (type == "preview") check_preview(at);
-    if (type == "idmanifest" || type == "deepImageState")
-        at.fail("an attribute of type " + type + ", which pictures of colours have no use for");
+    if (type == "idmanifest")
+        at.fail("an attribute of type idmanifest, which a picture of colours has no use for");
 }
 
 /// @return whether there was one: an empty name ends a header

@@ -73,8 +73,8 @@ TEST_CASE("what a mesh file says reaches no terminal", "[hostile]") {
         const std::string error = ply_refusal(text);
         CHECK(printable(error, error.size()) == error);
     }
-    for (const std::string& line : {"v 0 0 ", "f 1 2 ", "f 1 2 3/", "vt "}) {
-        const std::string error = obj_refusal("v 0 0 0\n" + line + steering + "\n");
+    for (const char* line : {"v 0 0 ", "f 1 2 ", "f 1 2 3/", "vt "}) {
+        const std::string error = obj_refusal("v 0 0 0\n"s + line + steering + "\n");
         CHECK_THAT(error, Contains("m.obj:2: "));
         CHECK(printable(error, error.size()) == error);
     }
@@ -137,7 +137,8 @@ TEST_CASE("a MERL file of every special value is read and its marks are counted"
                                        Limits::max(),
                                        -1.0,
                                        1.0};
-    const Bytes file = merl_file([&](int, int, int, int k) { return values[k % 8U]; });
+    const Bytes file =
+        merl_file([&](int, int, int, int k) { return values[static_cast<std::size_t>(k % 8)]; });
     const MeasuredData data = parse_merl(file, "m.binary");
     for (const ValueCounts& counts : data.counts) {
         CHECK(counts.values == merl_plane);
