@@ -91,27 +91,26 @@ TEST_CASE("indices of an OBJ file beyond every integer type are refused with the
 }
 
 TEST_CASE("fields of a tensor file that lie over each other are refused", "[hostile]") {
-    // Five fields of the same bytes would take five times the memory that the file's length allows.
-    auto fields = rgl_fields([](std::size_t, std::size_t) { return 1.0F; });
-    Bytes bytes = tensor_file(fields);
-    const auto place_of = [&](const std::string& name) {
-        const auto at = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
-        return at + static_cast<std::ptrdiff_t>(name.size()) + 2 + 1;
+    const auto fields = rgl_fields([](std::size_t, std::size_t) { return 1.0F; });
+    const Bytes good = tensor_file(fields);
+    REQUIRE(refusal([&] { parse_rgl(good, "r.bsdf"); }) == "accepted");
+    // A field's name is followed by its number of dimensions, type, offset and shape.
+    const auto offset_of = [](Bytes& bytes, const std::string& name) {
+        return std::search(bytes.begin(), bytes.end(), name.begin(), name.end()) +
+               static_cast<std::ptrdiff_t>(name.size()) + 3;
     };
-    const auto rgb = place_of("rgb"), density = place_of("vndf");
-    std::copy(rgb, rgb + 8, density);
-    // The colours' 144 values and the density's 48 of the same 192 and a few more.
-    bytes.resize(bytes.size() - 48);
-    const std::string error = refusal([&] { parse_rgl(bytes, "r.bsdf"); });
-    CHECK_THAT(error, Contains("r.bsdf: "));
+    // sigma and ndf of 140 values each where the colours' 144 are: more than the file has in all.
+    Bytes bytes = good;
+    for (const char* name : {"sigma", "ndf"}) {
+        std::copy_n(offset_of(bytes, "rgb"), 8, offset_of(bytes, name));
+        offset_of(bytes, name)[16] = 70;
+    }
+    CHECK_THAT(refusal([&] { parse_rgl(bytes, "r.bsdf"); }), Contains("lie over each other"));
     for (const std::uint64_t edge :
          {std::uint64_t{1} << 31, std::uint64_t{1} << 63, ~std::uint64_t{}}) {
-        fields[1].shape = {1, 1};
-        Bytes huge = tensor_file(fields);
-        const std::string name = "sigma";
-        const auto at =
-            std::search(huge.begin(), huge.end(), name.begin(), name.end()) + 5 + 2 + 1 + 8;
-        for (int i = 0; i < 8; ++i) at[i] = static_cast<unsigned char>(edge >> (8 * i));
+        Bytes huge = good;
+        const auto shape = offset_of(huge, "sigma") + 8;
+        for (int i = 0; i < 8; ++i) shape[i] = static_cast<unsigned char>(edge >> (8 * i));
         CHECK_THAT(refusal([&] { parse_rgl(huge, "r.bsdf"); }),
                    Contains("r.bsdf: field 'sigma' does not fit: [" + std::to_string(edge)));
     }

@@ -79,10 +79,12 @@ std::string exr_with(const std::string& attributes, std::uint32_t flags = 2) {
     return "\x76\x2f\x31\x01" + little_endian(flags) + attributes + '\0';
 }
 
-std::string png_head(std::uint32_t width, std::uint32_t height, const std::string& kind) {
-    const std::string chunk = "IHDR" + big_endian(width) + big_endian(height) + kind + "\0\0\0"s;
-    return "\x89PNG\r\n\x1a\n" + big_endian(13) + chunk + repeated('\0', 4) + big_endian(0) +
-           "IEND\xae\x42\x60\x82";
+/// A PNG without rows. @param checksum of IHDR
+std::string png_with(std::uint32_t width, std::uint32_t height, const std::string& kind,
+                     std::uint32_t checksum) {
+    const std::string header = big_endian(width) + big_endian(height) + kind + "\0\0\0"s;
+    return "\x89PNG\r\n\x1a\n" + big_endian(13) + "IHDR" + header + big_endian(checksum) +
+           big_endian(0) + "IDAT\x35\xaf\x06\x1e" + big_endian(0) + "IEND\xae\x42\x60\x82";
 }
 
 }  // namespace
@@ -178,16 +180,22 @@ TEST_CASE("an OpenEXR header is held to the file's length and the limits before 
 }
 
 TEST_CASE("a PNG of few bytes cannot ask for more pixels than deflate could give", "[hostile]") {
-    // 57 bytes are at most 58,824 bytes of rows: 64-bit pixels of 100 x 100 do not fit in.
-    CHECK_THAT(refusal(png_head(100, 100, "\x10\x06")), Contains("a.png: "));
-    CHECK_THAT(refusal(png_head(2147483647, 2147483647, "\x08\x06")), Contains("a.png: "));
-    CHECK_THAT(refusal(png_head(0, 0, "\x08\x06")), Contains("a.png: "));
-    CHECK_THAT(refusal(png_head(1, 1, "\x08\x07")), Contains("a.png: "));
+    // 57 bytes are at most 58,824 bytes of rows: 7,353 pixels of 64 bits.
+    CHECK(refusal(png_with(120, 120, "\x10\x06", 0x69f4ea91U)) ==
+          "a.png: 120 x 120 pixels do not fit into a file of this length: truncated or damaged");
+    CHECK_THAT(refusal(png_with(80, 80, "\x10\x06", 0xde812eeeU)),
+               Contains("a.png: truncated or damaged png data"));
+    CHECK_THAT(refusal(png_with(20000, 1, "\x01\0"s, 0x13cfa323U)),
+               Contains("a.png: 20000 x 1 pixels, allowed are 1 to 16384 a side"));
+    CHECK_THAT(refusal(png_with(2147483647, 2147483647, "\x08\x06", 0x14c90b66U)),
+               Contains("a.png: "));
+    CHECK_THAT(refusal(png_with(0, 0, "\x08\x06", 0x3b8b7c12U)), Contains("damaged png data"));
+    CHECK_THAT(refusal(png_with(1, 1, "\x08\x07", 0xa7a9a3ecU)), Contains("damaged png data"));
 }
 
 TEST_CASE("a reader's reason is one printable line", "[hostile]") {
-    // libpng reports a damaged stream in two lines.
-    std::string png = png_head(1, 1, "\x08\x02");
+    // OpenImageIO reports a damaged stream of rows in two lines.
+    const std::string png = png_with(1, 1, "\x08\x02", 0x907753deU);
     for (const std::string& file :
          {png, "#?RADIANCE\nFORMAT=\x1b[31m\n\n-Y 1 +X 1\n"s, "P6\n\x1b[31m"s}) {
         const std::string error = refusal(file);
