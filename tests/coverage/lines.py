@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Adds up what gcov counted in a build folder: lines.py BUILD. A line counts as run if any of its copies, in
+"""Adds up what gcov counted in a build folder: lines.py BUILD [FOLDER ...]. A line counts as run if any of its copies, in
 templates or in several programs, was. Prints a table by folder, then the lines that nothing ran."""
 import gzip
 import json
@@ -51,14 +51,15 @@ def ranges(numbers):
 def main():
     total = counts_of(sys.argv[1])
     print("| folder | lines | run | share |\n|---|---|---|---|")
-    for folder in FOLDERS:
+    folders = sys.argv[2:] or FOLDERS
+    for folder in folders:
         counts = [c for path, lines in total.items() if path.parts[0] == folder for c in lines.values()]
         done = sum(c > 0 for c in counts)
         print(f"| {folder} | {len(counts)} | {done} | {100 * done / max(1, len(counts)):.1f} % |")
     print()
     for path in sorted(total):
         missed = [n for n, count in total[path].items() if count == 0]
-        if missed:
+        if missed and path.parts[0] in folders:
             print(f"{path}: {ranges(missed)}")
 
 

@@ -29,14 +29,14 @@ case $tool in
         export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
         export LSAN_OPTIONS=suppressions=$PWD/tests/sanitize/leaks.txt
         configure -DCMAKE_CXX_FLAGS="-O1 -g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
-        cmake --build "$build" | tail -n 1
+        cmake --build "$build" -j "$(nproc)" | tail -n 1
         check ctest --test-dir "$build" -j "$(nproc)" --output-on-failure
         ;;
     thread)
         export TSAN_OPTIONS="halt_on_error=1 exitcode=66"
         configure -DCMAKE_CXX_FLAGS="-O1 -g1 -fsanitize=thread" \
             -DCMAKE_PROJECT_INCLUDE="$PWD/tests/sanitize/plain_threads.cmake"
-        cmake --build "$build" --target test_raster test_factor fast_equals_reference twofold | tail -n 1
+        cmake --build "$build" -j "$(nproc)" --target test_raster test_factor fast_equals_reference twofold | tail -n 1
         check "$build/tests/test_raster"
         check "$build/tests/test_factor" '*same bits*threads*'
         check "$build/fast_equals_reference" --count 1000 --all-options -o "$build/failures"
@@ -44,7 +44,7 @@ case $tool in
         ;;
     valgrind)
         configure -DCMAKE_CXX_FLAGS="-O1 -g1"
-        cmake --build "$build" --target test_texunit test_raster test_factor | tail -n 1
+        cmake --build "$build" -j "$(nproc)" --target test_texunit test_raster test_factor | tail -n 1
         memcheck=(valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite)
         check "${memcheck[@]}" "$build/tests/test_texunit" '[file],[image],[dxt],[border],[combiner]'
         check "${memcheck[@]}" "$build/tests/test_raster" '~[slow]'
