@@ -204,9 +204,9 @@ int main(int argc, char** argv) try {
     app.require_subcommand(1);
     app.footer(
         "Example: twofold run scenes/gold-suzanne.json -o out\n"
-        "Exit codes: 0 ok, 1 done with warnings, 2 difference, usage or scene error, out of "
-        "memory,\n3 sizes differ, "
-        "4 unreadable or bad file, 5 the solver did not converge, 6 arithmetic is not exact");
+        "Exit codes: 0 ok, 1 done with warnings, 2 difference, usage or scene error, out of\n"
+        "memory, 3 sizes differ, 4 unreadable or bad file, 5 the solver did not converge, 6 "
+        "arithmetic is not exact");
     Options options;
     options.common.command_line = joined(argc, argv);
     define_run(app, options);

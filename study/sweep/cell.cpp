@@ -62,7 +62,7 @@ std::string hex_of(const Fnv1a& hash) { return fmt::format("{:016x}", hash.value
 /// The scene's fields of these names, with what else decides the same work.
 std::string part_of(const Json& scene, std::initializer_list<const char*> fields,
                     const std::string& more) {
-    Json part;
+    Json part = Json::object();  // a null becomes one in two steps, and crashes without memory
     for (const char* field : fields) part[field] = scene.at(field);
     return part.dump() + more;
 }
