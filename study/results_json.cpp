@@ -246,11 +246,13 @@ Json run_json(const RunResult& run) {
 std::string manifest_json(const RunResult& run) {
     Json manifest = Json::parse(scene_to_json(run.scene));
     Json factors = Json::object();
-    for (const auto& [name, lighting] : run.lit.materials)
+    for (const auto& [name, lighting] : run.lit.materials) {
+        Json& hashes = factors[name] = Json::object();
         for (std::size_t k = 0; k < lighting.terms.size(); ++k) {
-            factors[name][map_name("t1", k)] = hash_of_t1(lighting.terms[k]);
-            factors[name][map_name("t2", k)] = hash_of(lighting.terms[k].t2);
+            hashes[map_name("t1", k)] = hash_of_t1(lighting.terms[k]);
+            hashes[map_name("t2", k)] = hash_of(lighting.terms[k].t2);
         }
+    }
     manifest["results"] = {{"version", program_version()},
                            {"white", run.lit.white},
                            {"factors", factors},
