@@ -126,6 +126,26 @@ ChannelLanes residual_of(PassKind kind, const ChannelLanes& product, const Chann
     return {};
 }
 
+/// A x of the regulariser.
+TWOFOLD_SIMD_CLONES
+void multiply(const SparseMatrix& regulariser, const ChannelLanes* x, ChannelLanes* product) {
+    for (std::size_t i = 0; i < regulariser.rows(); ++i) {
+        ChannelLanes sum;
+        for (const MatrixEntry& e : regulariser.row(i)) sum += e.value * x[e.column];
+        product[i] = sum;
+    }
+}
+
+/// Adds A^T y of the regulariser.
+TWOFOLD_SIMD_CLONES
+void add_transposed(const SparseMatrix& regulariser, const ChannelLanes* y, ChannelLanes* sums) {
+    for (std::size_t j = 0; j < regulariser.columns(); ++j) {
+        ChannelLanes rest;
+        for (const MatrixEntry& e : regulariser.column(j)) rest += e.value * y[e.column];
+        sums[j] += rest;
+    }
+}
+
 bool sets_rows(PassKind kind) { return kind == PassKind::start || kind == PassKind::step; }
 
 std::size_t runs_of(std::size_t rows) { return (rows + sum_block - 1) / sum_block; }
@@ -232,21 +252,20 @@ ChannelPasses::Sums ChannelPasses::sample_pass(PassKind kind, const std::vector<
 void ChannelPasses::add_regulariser(Sums& sums, PassKind kind, const std::vector<ChannelLanes>& x,
                                     const ChannelLanes& keep) {
     const LogMatrix& matrix = systems_[0]->left().matrix;
-    std::vector<ChannelLanes> residual(matrix.rows() - matrix.samples());
+    const SparseMatrix& regulariser = matrix.regulariser();
+    std::vector<ChannelLanes> residual(regulariser.rows());
     std::vector<ChannelLanes> squares(sets_rows(kind) ? runs_of(residual.size()) : 0);
-    for (std::size_t i = 0; i < residual.size(); ++i) {
-        ChannelLanes product;
-        for (const MatrixEntry& e : matrix.regulariser().row(i)) product += e.value * x[e.column];
+    multiply(regulariser, x.data(), residual.data());
+    for (std::size_t i = 0; i < residual.size() && kind != PassKind::normal; ++i) {
         ChannelLanes* u = sets_rows(kind) ? &u_[matrix.samples() + i] : nullptr;
-        residual[i] = residual_of(kind, product, keep, u != nullptr ? *u : ChannelLanes{});
+        residual[i] = residual_of(kind, residual[i], keep, u != nullptr ? *u : ChannelLanes{});
         if (u == nullptr) continue;
         *u = residual[i];
         squares[i / sum_block] += residual[i] * residual[i];
     }
     sums.squares.insert(sums.squares.end(), squares.begin(), squares.end());
-    sums.columns = matrix.with_rest(std::move(sums.columns), [&](const MatrixEntry& e) {
-        return e.value * residual[e.column];
-    });
+    sums.columns.resize(matrix.columns());
+    add_transposed(regulariser, residual.data(), sums.columns.data());
 }
 
 }  // namespace twofold

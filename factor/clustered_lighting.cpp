@@ -5,9 +5,11 @@
 
 #include "factor/directions.hpp"
 #include "factor/light_tree.hpp"
+#include "factor/light_walk.hpp"
 #include "factor/lighting.hpp"
 #include "factor/lobe_variation.hpp"
 #include "factor/parametrization.hpp"
+#include "factor/simd_clones.hpp"
 #include "texunit/fixed.hpp"
 #include "texunit/ordered_sum.hpp"
 #include "texunit/parallel.hpp"
@@ -28,96 +30,49 @@ constexpr int judged_views = 256;
 constexpr std::uint64_t judged_sequence =
     7;  ///< of surface_views(): in no fit and held out of none
 
-/// A node as the walk through the tree sees it.
-struct Stop {
-    Vec3 direction;
-    double radius;
-    std::uint32_t child, children;
+/// A light of a node, where one line of the cache holds it.
+struct alignas(64) NodeLight {
+    double x, y, z, r, g, b;
 };
 
-/// The tree with what decides where to stop in it: a node is taken as one light by views whose r_v
-/// is at least this far from it.
-struct Stops {
-    std::vector<Stop> nodes;
-    std::vector<float> nearest;  ///< by row of LobeVariation, then node: squares of distances
-    std::uint32_t roots = 0;
-};
+/// Vectors take this many lights at a time; what a list lacks is filled up with black ones, which
+/// change no sum.
+constexpr std::size_t lights_at_a_time = 8;
 
-double bound_of(const LightNode& node, const LobeVariation::Bounds& rate) {
-    return node.first * rate.first + 0.5 * node.second * rate.second;
-}
-
-/// The least square of |r - direction| at which the node's bound is not above `most`.
-float nearest_square(const LightNode& node, const LobeVariation& variation, std::size_t row,
-                     double most) {
-    std::size_t step = LobeVariation::distance_steps;
-    while (step > 0 && bound_of(node, variation.bounds(row, step - 1)) <= most) --step;
-    if (step == 0) return 0.0F;
-    const double distance = LobeVariation::distance_of(static_cast<double>(step)) + node.radius;
-    return step == LobeVariation::distance_steps
-               ? 9.0F  // no direction is that far
-               : static_cast<float>(distance * distance * (1.0 + 0x1p-20));
-}
-
-Stops stops_of(const LightTree& tree, const LobeVariation& variation, double most, int threads) {
-    Stops stops{{}, std::vector<float>(LobeVariation::view_rows * tree.nodes.size()), tree.roots};
-    for (const LightNode& node : tree.nodes)
-        stops.nodes.push_back({node.direction, node.radius, node.child, node.children});
-    parallel_for(LobeVariation::view_rows, threads, [&](std::size_t row) {
-        for (std::size_t k = 0; k < tree.nodes.size(); ++k)
-            if (tree.nodes[k].children > 0)
-                stops.nearest[row * tree.nodes.size() + k] =
-                    nearest_square(tree.nodes[k], variation, row, most);
-    });
-    return stops;
-}
-
-/// Nodes that a view takes, level by level.
-class Walk {
-  public:
-    explicit Walk(const Stops& stops) : stops_(stops) {}
-
-    const std::vector<std::uint32_t>& taken_by(const SurfaceView& at) {
-        taken_.clear();
-        open_.assign(1, {0, stops_.roots});
-        const Vec3 r = pi_2(at);
-        const float* nearest =
-            stops_.nearest.data() + LobeVariation::row_of(dot(at.n, at.v)) * stops_.nodes.size();
-        for (std::size_t next = 0; next < open_.size(); ++next) {
-            const auto [first, count] = open_[next];
-            for (std::uint32_t k = first; k < first + count; ++k) visit(k, at.n, r, nearest);
-        }
-        return taken_;
-    }
-
-  private:
-    void visit(std::uint32_t k, Vec3 n, Vec3 r, const float* nearest) {
-        const Stop& node = stops_.nodes[k];
-        if (dot(n, node.direction) <= -node.radius) return;  // below the horizon
-        const Vec3 off = r - node.direction;
-        if (dot(off, off) >= static_cast<double>(nearest[k]))
-            taken_.push_back(k);
-        else
-            open_.emplace_back(node.child, node.children);
-    }
-
-    const Stops& stops_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> open_;
-    std::vector<std::uint32_t> taken_;
-};
-
-void put(DistantLights& lights, const LightTree& tree, const std::vector<std::uint32_t>& nodes) {
+TWOFOLD_SIMD_CLONES
+void put(DistantLights& lights, const std::vector<NodeLight>& of_node,
+         std::span<const std::uint32_t> nodes) {
+    const std::size_t count = nodes.size();
+    const std::size_t room = (count + lights_at_a_time - 1) / lights_at_a_time * lights_at_a_time;
     for (auto* values : {&lights.x, &lights.y, &lights.z, &lights.r, &lights.g, &lights.b})
-        values->resize(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const LightNode& node = tree.nodes[nodes[i]];
-        lights.x[i] = node.direction.x;
-        lights.y[i] = node.direction.y;
-        lights.z[i] = node.direction.z;
-        lights.r[i] = node.weight.x;
-        lights.g[i] = node.weight.y;
-        lights.b[i] = node.weight.z;
+        values->resize(room);
+    const NodeLight* const from = of_node.data();
+    const std::uint32_t* const node = nodes.data();
+    const auto gather = [&](std::vector<double> & to, double NodeLight::*part)
+        __attribute__((always_inline)) {
+        double* const out = to.data();
+        for (std::size_t i = 0; i < count; ++i) out[i] = from[node[i]].*part;
+    };
+    gather(lights.x, &NodeLight::x);
+    gather(lights.y, &NodeLight::y);
+    gather(lights.z, &NodeLight::z);
+    gather(lights.r, &NodeLight::r);
+    gather(lights.g, &NodeLight::g);
+    gather(lights.b, &NodeLight::b);
+    for (std::size_t i = count; i < room; ++i) {
+        lights.x[i] = lights.y[i] = 0.0;
+        lights.z[i] = 1.0;
+        lights.r[i] = lights.g[i] = lights.b[i] = 0.0;
     }
+}
+
+std::vector<NodeLight> lights_of(const LightTree& tree) {
+    std::vector<NodeLight> lights;
+    lights.reserve(tree.nodes.size());
+    for (const LightNode& node : tree.nodes)
+        lights.push_back({node.direction.x, node.direction.y, node.direction.z, node.weight.x,
+                          node.weight.y, node.weight.z});
+    return lights;
 }
 
 double root_mean_square(std::size_t n, const auto& value) {
@@ -134,10 +89,11 @@ double root_mean_square(std::size_t n, const auto& value) {
 struct ClusteredLighting::Parts {
     Brdf brdf;
     LightTree tree;
+    std::vector<NodeLight> lights;  ///< of the nodes
     LobeVariation variation;
     Stops stops;
 
-    double bound(const SurfaceView& at, const std::vector<std::uint32_t>& taken) const {
+    double bound(const SurfaceView& at, std::span<const std::uint32_t> taken) const {
         const std::size_t row = LobeVariation::row_of(dot(at.n, at.v));
         double sum = 0.0;
         for (const std::uint32_t k : taken) {
@@ -165,7 +121,7 @@ std::vector<Rgb> merged_radiance(const Parts& parts, std::span<const SurfaceView
     const auto begin = [&]() -> LightsOfView {
         return [scratch = std::make_shared<Scratch>(Scratch{Walk(parts.stops), {}}),
                 &parts](const SurfaceView& view) -> const DistantLights& {
-            put(scratch->lights, parts.tree, scratch->walk.taken_by(view));
+            put(scratch->lights, parts.lights, scratch->walk.taken_by(view));
             return scratch->lights;
         };
     };
@@ -182,7 +138,7 @@ ClusterReport judged(const Parts& parts, std::span<const SurfaceView> at, std::s
     std::vector<double> bound;
     double taken = 0.0;
     for (const SurfaceView& view : at) {
-        const auto& nodes = walk.taken_by(view);
+        const auto nodes = walk.taken_by(view);
         taken += static_cast<double>(nodes.size());
         bound.push_back(parts.bound(view, nodes));
     }
@@ -205,8 +161,10 @@ ClusteredLighting::ClusteredLighting(const Brdf& brdf, const DistantLights& ligh
     const std::vector<Rgb> full = outgoing_radiance(brdf, lights, at, threads);
     const double largest =
         root_mean_square(at.size(), [&](std::size_t i) { return max_component(full[i]); });
-    auto parts =
-        std::make_unique<Parts>(Parts{brdf, light_tree(lights), LobeVariation(brdf, threads), {}});
+    LightTree tree = light_tree(lights);
+    std::vector<NodeLight> node_lights = lights_of(tree);
+    auto parts = std::make_unique<Parts>(
+        Parts{brdf, std::move(tree), std::move(node_lights), LobeVariation(brdf, threads), {}});
     double most = tolerance * largest / first_share;
     for (int trial = 0; trial < most_trials; ++trial) {
         parts->stops = stops_of(parts->tree, parts->variation, most, threads);

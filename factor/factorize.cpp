@@ -90,14 +90,25 @@ bool needs_right_side(const FactorSettings& settings) {
     return settings.solver != Solver::qmr || refines(settings);
 }
 
+/// The gauge of a channel: that of another whose rows of positive weight are the same, as they
+/// nearly always are.
+Gauge gauge_of(const LogRows& left, const ChannelRows& right, const Channel* other) {
+    const auto alike = [](double a, double b) { return (a > 0.0) == (b > 0.0); };
+    if (other != nullptr &&
+        std::equal(right.weight.begin(), right.weight.end(), other->right.weight.begin(), alike))
+        return other->system->gauge();
+    return Gauge(left.matrix, right.weight, left.starts());
+}
+
 /// One channel after another, so that only one has all of its rows at a time; the threads share
-/// those.
-void prepare(Channel& channel, const LogRows& left, Vector radiance, const FactorSettings& settings,
-             double white, int threads) {
+/// those. @param other a channel that has a system, if there is one
+void prepare(Channel& channel, const Channel* other, const LogRows& left, Vector radiance,
+             const FactorSettings& settings, double white, int threads) {
     channel.right = channel_rows(left, std::move(radiance), settings, white, threads);
     if (channel.right.black()) return;
     channel.guess = first_guess(left, channel.right, settings.fill_power, threads);
-    channel.system.emplace(left, channel.right, settings, threads);
+    channel.system.emplace(left, channel.right, gauge_of(left, channel.right, other), settings,
+                           threads);
     if (!needs_right_side(settings)) channel.right.right_side = Vector();
 }
 
@@ -217,8 +228,11 @@ FactoredLighting factorize(FitSamples fit, const LightingSamples& judged, double
     if (refines(settings)) left.product = product_rows(left.log);
 
     std::array<Channel, 3> solved;
-    for (std::size_t c = 0; c < 3; ++c)
-        prepare(solved[c], left.log, std::move(radiance[c]), settings, white, threads);
+    const Channel* other = nullptr;
+    for (std::size_t c = 0; c < 3; ++c) {
+        prepare(solved[c], other, left.log, std::move(radiance[c]), settings, white, threads);
+        if (solved[c].system) other = &solved[c];
+    }
     solve(solved, settings, threads);
     std::array<ChannelResult, 3> channels;
     parallel_for(3, threads, [&](std::size_t c) {

@@ -1,5 +1,10 @@
 #include "factor/first_guess.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "factor/simd_clones.hpp"
+#include "factor/vector_arithmetic.hpp"
 #include "texunit/exact_math.hpp"
 #include "texunit/ordered_sum.hpp"
 #include "texunit/parallel.hpp"
@@ -8,28 +13,48 @@ namespace twofold {
 
 namespace {
 
-/// A touched texel as the fill sees it.
+/// Touched texels as the fill sees them: their directions and values.
 struct Known {
-    Vec3 direction;
-    double value;
+    Vector x, y, z, value;
+
+    void add(Vec3 direction, double of) {
+        x.push_back(direction.x);
+        y.push_back(direction.y);
+        z.push_back(direction.z);
+        value.push_back(of);
+    }
 };
 
-/// d^-power from the square of d; the usual power needs no logarithm.
-double inverse_distance(double square, double power) {
-    return power == 2.0 ? 1.0 / square : exact::pow(square, -0.5 * power);
+/// Squares of the chords from a direction.
+TWOFOLD_SIMD_CLONES
+Vector squares(Vec3 direction, const Known& known) {
+    Vector square(known.value.size());
+    const double* const x = known.x.data();
+    const double* const y = known.y.data();
+    const double* const z = known.z.data();
+    for (std::size_t k = 0; k < square.size(); ++k) {
+        const double dx = direction.x - x[k], dy = direction.y - y[k], dz = direction.z - z[k];
+        square[k] = dx * dx + dy * dy + dz * dz;
+    }
+    return square;
 }
 
-double fill(Vec3 direction, const std::vector<Known>& known, double power) {
-    std::vector<double> weight(known.size());
-    for (std::size_t k = 0; k < known.size(); ++k) {
-        const Vec3 chord = direction - known[k].direction;
-        const double square = dot(chord, chord);
-        if (square == 0.0) return known[k].value;
-        weight[k] = inverse_distance(square, power);
-    }
-    const double total = ordered_sum(known.size(), [&](std::size_t k) { return weight[k]; });
-    return ordered_sum(known.size(), [&](std::size_t k) { return weight[k] * known[k].value; }) /
-           total;
+/// d^-power from the squares of d; the usual power needs no logarithm.
+TWOFOLD_SIMD_CLONES
+Vector inverse_distances(Vector square, double power) {
+    if (power == 2.0)
+        for (double& value : square) value = 1.0 / value;
+    else
+        for (double& value : square) value = exact::pow(value, -0.5 * power);
+    return square;
+}
+
+double fill(Vec3 direction, const Known& known, double power) {
+    Vector square = squares(direction, known);
+    const auto same = std::find(square.begin(), square.end(), 0.0);
+    if (same != square.end()) return known.value[static_cast<std::size_t>(same - square.begin())];
+    const Vector weight = inverse_distances(std::move(square), power);
+    return dot(weight, known.value) / total(weight);
 }
 
 }  // namespace
@@ -39,11 +64,11 @@ std::size_t fill_untouched(Vector& x, const Vector& weight, std::size_t first,
     const auto direction = [&](std::size_t j) {
         return texel_direction(texel_at(j, shape), shape);
     };
-    std::vector<Known> known;
+    Known known;
     std::vector<std::size_t> untouched;
     for (std::size_t j = 0; j < shape.texels(); ++j) {
         if (weight[first + j] > 0.0) {
-            known.push_back({direction(j), x[first + j]});
+            known.add(direction(j), x[first + j]);
         } else {
             untouched.push_back(j);
         }

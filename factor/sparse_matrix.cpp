@@ -53,15 +53,6 @@ SparseMatrix::SparseMatrix(std::size_t columns, std::vector<std::size_t> row_sta
     }
 }
 
-std::span<const MatrixEntry> SparseMatrix::row(std::size_t i) const {
-    return std::span(entries_).subspan(row_start_[i], row_start_[i + 1] - row_start_[i]);
-}
-
-std::span<const MatrixEntry> SparseMatrix::column(std::size_t j) const {
-    return std::span(transposed_)
-        .subspan(column_start_[j], column_start_[j + 1] - column_start_[j]);
-}
-
 std::vector<double> SparseMatrix::multiply(std::span<const double> x, int threads) const {
     return fill_blocks(rows(), threads, [&](std::size_t i) {
         double sum = 0.0;

@@ -27,10 +27,15 @@ class SparseMatrix {
     std::size_t columns() const { return column_start_.size() - 1; }
 
     /// The entries of a row, in the order they were added.
-    std::span<const MatrixEntry> row(std::size_t i) const;
+    std::span<const MatrixEntry> row(std::size_t i) const {
+        return std::span(entries_).subspan(row_start_[i], row_start_[i + 1] - row_start_[i]);
+    }
 
     /// The entries of a column, rows ascending; `column` of an entry holds the row.
-    std::span<const MatrixEntry> column(std::size_t j) const;
+    std::span<const MatrixEntry> column(std::size_t j) const {
+        return std::span(transposed_)
+            .subspan(column_start_[j], column_start_[j + 1] - column_start_[j]);
+    }
 
     /// A x, each row summed left to right. @param x `columns` values
     std::vector<double> multiply(std::span<const double> x, int threads) const;

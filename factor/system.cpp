@@ -126,10 +126,15 @@ FactorStarts LogRows::starts() const {
 
 WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right,
                                const FactorSettings& settings, int threads)
+    : WeightedSystem(left, right, Gauge(left.matrix, right.weight, left.starts()), settings,
+                     threads) {}
+
+WeightedSystem::WeightedSystem(const LogRows& left, const ChannelRows& right, Gauge gauge,
+                               const FactorSettings& settings, int threads)
     : left_(left),
       right_(right),
       threads_(threads),
-      gauge_(left.matrix, right.weight, left.starts()),
+      gauge_(std::move(gauge)),
       column_scale_(left.matrix.column_norms(right.weight, threads)) {
     const double largest = largest_magnitude(column_scale_);
     magnitude_ = settings.column_scaling ? 1.0 : largest * largest;

@@ -77,6 +77,9 @@ class WeightedSystem {
     /// @param settings column_scaling and remove_null_vectors are used
     WeightedSystem(const LogRows& left, const ChannelRows& right, const FactorSettings& settings,
                    int threads);
+    /// @param gauge of the rows of positive weight, where it is known
+    WeightedSystem(const LogRows& left, const ChannelRows& right, Gauge gauge,
+                   const FactorSettings& settings, int threads);
 
     Vector apply(const Vector& y) const;                  ///< B y
     Vector apply_transpose(const Vector& r) const;        ///< B^T r

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "factor/simd_clones.hpp"
 #include "texunit/ordered_sum.hpp"
 
 namespace twofold {
@@ -18,12 +19,17 @@ double power_of_two(int e) {
 
 }  // namespace
 
-double dot(const Vector& a, const Vector& b) {
+[[gnu::flatten]] TWOFOLD_SIMD_CLONES double dot(const Vector& a, const Vector& b) {
     return ordered_sum(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
+}
+
+[[gnu::flatten]] TWOFOLD_SIMD_CLONES double total(const Vector& a) {
+    return ordered_sum(a.size(), [&](std::size_t i) { return a[i]; });
 }
 
 double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
+TWOFOLD_SIMD_CLONES
 Vector plus_scaled(const Vector& a, double f, const Vector& b) {
     Vector sum(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) sum[i] = a[i] + f * b[i];

@@ -10,6 +10,9 @@ namespace twofold {
 /// Sum of a_i b_i, in fixed order.
 double dot(const Vector& a, const Vector& b);
 
+/// Sum of a_i, in fixed order.
+double total(const Vector& a);
+
 /// Euclidean length, in fixed order.
 double norm(const Vector& a);
 

@@ -48,7 +48,8 @@ Hashes product_hashes(const std::string& name, const LogRows& rows, int threads)
 Hashes channel_system_hashes(const std::string& name, const LogRows& rows,
                              std::span<const double> radiance, const FactorSettings& settings,
                              int threads) {
-    const ChannelRows right = channel_rows(rows, radiance, settings, 1.0);
+    const ChannelRows right =
+        channel_rows(rows, Vector(radiance.begin(), radiance.end()), settings, 1.0);
     const FirstGuess guess = first_guess(rows, right, settings.fill_power, threads);
     const WeightedSystem system(rows, right, settings, threads);
     Hashes hashes{hash_of(fmt::format("system/{}/right-side", name), right.right_side),
