@@ -74,11 +74,28 @@ const Format& identify(std::span<const unsigned char> bytes, const std::string& 
                              "); readable are HDR, OpenEXR, PFM, PPM and PNG");
 }
 
+/// The bytes of a file. OpenImageIO 2.4's own reader of memory takes an offset of -1, which a
+/// damaged OpenEXR file can name, for the place before the first byte.
+class CheckedMemory : public OIIO::Filesystem::IOMemReader {
+  public:
+    explicit CheckedMemory(std::span<const unsigned char> bytes)
+        : IOMemReader(bytes.data(), bytes.size()), bytes_(bytes.size()) {}
+
+    std::size_t pread(void* to, std::size_t count, std::int64_t offset) override {
+        if (offset < 0 || static_cast<std::size_t>(offset) >= bytes_) return 0;
+        const std::size_t left = bytes_ - static_cast<std::size_t>(offset);
+        return IOMemReader::pread(to, std::min(count, left), offset);
+    }
+
+  private:
+    std::size_t bytes_;
+};
+
 /// An opened picture. The reader refers to the proxy, so it is declared after it and destroyed
 /// before.
 struct Input {
     std::string name;
-    std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy;
+    std::unique_ptr<CheckedMemory> proxy;
     std::unique_ptr<OIIO::ImageInput> reader;
     OIIO::ImageSpec spec;
 };
@@ -114,10 +131,8 @@ Error reader_error(const Input& input, const char* what) {
 Input open_input(std::span<const unsigned char> bytes, const Format& format,
                  const std::string& name) {
     configure_open_image_io();
-    Input input{name,
-                std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
-                OIIO::ImageInput::create(format.reader),
-                {}};
+    Input input{
+        name, std::make_unique<CheckedMemory>(bytes), OIIO::ImageInput::create(format.reader), {}};
     if (!input.reader || input.reader->format_name() != std::string_view(format.reader) ||
         !input.reader->supports("ioproxy"))
         throw bad_file(name, fmt::format("OpenImageIO cannot read {} from memory: {}",
