@@ -353,8 +353,9 @@ TEST_CASE("F21 run on past convergence QMR neither diverges nor gets worse", "[h
 
 TEST_CASE("F21 unguarded QMR runs off along the null vector, the guarded one does not",
           "[hard][F21]") {
-    // Rounding gives the null vector an eigenvalue of 1e-16 squared, which an iteration that goes on
-    // long enough may find. Where it does depends on the roundings: here, and in 4 of 24 systems.
+    // Rounding gives the null vector an eigenvalue of 1e-16 squared, which an iteration that goes
+    // on long enough may find. Where it does depends on the roundings: here, and in 4 of 24
+    // systems.
     FactorSettings settings = cases::unregularised(16, 0.875);
     settings.remove_null_vectors = false;
     const PhongSystem system(settings, 30000);
