@@ -1,6 +1,7 @@
 #include "factor/product_brdf.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "factor/lsmr.hpp"
@@ -196,16 +197,21 @@ FactoredBrdf factor_brdf(std::span<const BrdfSample> samples, int threads) {
     FactoredBrdf result;
     result.brdf.p.nodes.resize(p_nodes);
     result.brdf.q.nodes.resize(q_nodes);
+    std::array<Treated, 3> treated;
     parallel_for(3, threads, [&](std::size_t c) {
         const int channel = static_cast<int>(c);
         ProductFit& fit = result.fit[c];
-        const Treated treated = treat(samples, channel, fit);
-        if (treated.median == 0.0) return;  // black: every factor stays 0
-        const Vector x = fit_logs(rows, treated, fit);
+        treated[c] = treat(samples, channel, fit);
+        if (treated[c].median == 0.0) return;  // black: every factor stays 0
+        const Vector x = fit_logs(rows, treated[c], fit);
         const auto keep = fit.partly_unsupported ? supported(rows, samples, channel)
                                                  : std::vector<bool>(unknowns, true);
         put_channel(result.brdf, c, x, keep);
-        judge(fit, result.brdf, samples, treated, channel);
+    });
+    // Only when all channels are there: judging one evaluates the product, which reads all three.
+    parallel_for(3, threads, [&](std::size_t c) {
+        if (treated[c].median != 0.0)
+            judge(result.fit[c], result.brdf, samples, treated[c], static_cast<int>(c));
     });
     if (result.brdf.alpha == Rgba32f{})
         throw Error(ExitCode::failure, "brdf: no measured value is above 0");

@@ -10,8 +10,8 @@ from program import Order, Program
 TEMPORARY = re.compile(r"(.*/)?\.[^/]+\.twofold-\d+\.tmp")
 # What glibc says when it ends a process that has no memory for a thread's own data.
 GLIBC = re.compile(r"Fatal glibc error: failed to register TLS destructor: out of memory")
-# OpenEXR takes some failed allocations for damaged data.
-CODEC = re.compile(r"^twofold: (openexr|png|[^ ]*\.(png|hdr)): ", re.MULTILINE)
+# OpenEXR takes some failed allocations for damaged data, a stream of the standard library for a bad file.
+CODEC = re.compile(r"^twofold: (openexr|png|[^ ]*\.(png|hdr|json)): ", re.MULTILINE)
 # Name: arguments, where IN, OUT and MADE stand for folders of inputs, outputs and earlier results.
 COMMANDS = {
     "run": "run IN/scene.json -o OUT -j 1 -q",
@@ -119,7 +119,7 @@ class Scenario:
         """Out of memory is a failure, 2; what a file's calls say is 4 and names the file."""
         text = answer.stderr
         if order.call == "allocate" and answer.code() == 4 and CODEC.search(text):
-            return "error of a picture's library", ""
+            return "a library's error", ""
         if order.call == "allocate":
             fits = ((answer.code(), "out of memory" in text) == (2, True)
                     or (answer.code(), "Cannot allocate memory" in text) == (4, True))
