@@ -4,6 +4,7 @@
 #include "scenes/json_text.hpp"
 #include "tests/evidence/reading.hpp"
 #include "tests/evidence/surface_memory.hpp"
+#include "texunit/error.hpp"
 #include "texunit/texture_format.hpp"
 
 /// A whole description, and whether the names in it name something.
