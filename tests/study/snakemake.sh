@@ -2,7 +2,7 @@
 # The shipped Snakefile for real: two local cores, then a submit script; both find what one process finds.
 # usage: snakemake.sh TWOFOLD SOURCE_DIR
 set -euo pipefail
-twofold=$1 source=$2
+twofold=$(realpath "$1") source=$(realpath "$2")  # jobs run in folders of their own
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 command -v snakemake >/dev/null || { echo "snakemake is missing; on Debian: apt-get install snakemake" >&2; exit 1; }
