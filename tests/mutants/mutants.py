@@ -36,7 +36,7 @@ BYTES = [
     unit("product-shift", "a b >> 8 in place of a b / 255", "byte_arithmetic.hpp",
          "return (t + (t >> 8)) >> 8;", "return (t - 128) >> 8;", "byte_arithmetic"),
     unit("lerp-rounding", "the filter's halves are cut", "byte_arithmetic.hpp",
-         "(p * (256 - w) + q * w + 128) >> 8", "(p * (256 - w) + q * w) >> 8", "byte_arithmetic"),
+         "(256 * p + (q - p) * w + 128) >> 8", "(256 * p + (q - p) * w) >> 8", "byte_arithmetic"),
     unit("sum-saturates", "a sum of two products wraps at 256", "byte_arithmetic.hpp",
          "return rounded < 255 ? rounded : 255;", "return rounded & 255;", "byte_arithmetic"),
     unit("byte-of-real", "255 x is cut, not rounded", "byte_arithmetic.hpp",
@@ -126,7 +126,7 @@ TEXTURES = [
 
 TRIANGLES = [
     raster("edge-rule", "every edge holds its points", "setup.hpp",
-           "(value == 0 && holds_its_points)", "value == 0", "setup", "hard_cases",
+           "value >= (holds_its_points ? 0 : 1)", "value >= 0", "setup", "hard_cases",
            also=("raster/reference.cpp",), only="*hold their points,R03*,R04*"),
     raster("edge-rule-right", "right edges hold their points, left ones do not", "setup.hpp",
            "left = dy < 0;", "left = dy > 0;", "setup"),
