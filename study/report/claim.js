@@ -19,7 +19,7 @@ function claim_rows(cells, group) {
   return group.points.map((point) => {
     const cell = of(point);
     if (cell.failed) return [group.scene, point.label, cell.failed, '', '', '', '', ''];
-    const work = (field) => ratio_text(cell.work?.[field] ?? null, paper.work?.[field] ?? null);
+    const work = (field) => ratio_text(cell.counts?.[field] ?? null, paper.counts?.[field] ?? null);
     return [group.scene, point.label, fixed(cell.exact?.rms_steps ?? null, 2), seconds(cell.frame),
             ratio_text(cell.frame, paper.frame), work('fragments'), work('texel_fetches'),
             ratio_text(cell.card, paper.card)];

@@ -31,8 +31,8 @@ function cell_row(axis, point) {
       : [axis.title, label, cell.preset, fixed(cell.exact?.rms_steps ?? null, 3),
          whole(cell.exact?.max_steps ?? null), fixed(cell.ideal?.rms_steps ?? null, 3),
          share(cell.exact?.clipped_share), share(cell.exact?.vanished_share), seconds(cell.frame),
-         seconds(cell.before), seconds(cell.card), whole(cell.work?.passes ?? null),
-         whole(cell.work?.texel_fetches ?? null)];
+         seconds(cell.before), seconds(cell.card), whole(cell.counts?.passes ?? null),
+         whole(cell.counts?.texel_fetches ?? null)];
   return {row, open: () => open_cell(point.cell)};
 }
 

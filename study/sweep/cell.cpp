@@ -137,11 +137,17 @@ CellKeys keys_of(const Cell& cell, InputHashes& inputs) {
     return keys;
 }
 
+/// Of a kept result: one of another format is measured again.
+constexpr std::string_view result_format = "2";
+
 std::string id_of(const Cell& cell, InputHashes& inputs) {
     const Preset preset = cell.scene.presets.front();
     const bool percentile = cell.scene.environment && !cell.scene.white.radiance;
     Fnv1a hash;
-    hash.text(program_version()).text(inputs.of(cell.scene)).text(drawn_json(cell).dump());
+    hash.text(program_version())
+        .text(result_format)
+        .text(inputs.of(cell.scene))
+        .text(drawn_json(cell).dump());
     hash.text(json_of(cell.draw).dump());
     hash.text(fmt::format("{} {}", version_of(preset), percentile ? cell.white_samples : 0));
     return hex_of(hash);

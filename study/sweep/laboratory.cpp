@@ -104,10 +104,10 @@ CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
         {"ideal64", errors_json(picture, shared_.ideal_of(cell, in.inputs), outline)}};
     result["fit"] = in.lit ? factors_json(cell.scene, *in.lit).at("materials") : Json(nullptr);
     result["warnings"] = warnings_of(cell.scene, *in.inputs.materials);
-    result["work"] = result["card"] = nullptr;
+    result["counts"] = result["card"] = nullptr;
     if (drawing.frame) {
         const FrameWork work = shared_.work_of(cell, *drawing.frame);
-        result["work"] = to_json(work);
+        result["counts"] = to_json(work);
         result["card"] = prediction_json(cell, work, *drawing.frame);
     }
     result["times"] = {{"sampling", to_json(in.sampling)}, {"factoring", to_json(in.factoring)}};

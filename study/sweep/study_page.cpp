@@ -72,7 +72,7 @@ Json cell_json(const std::string& name, const Json& result, double anchor) {
     json["frameTimes"] = result.at("times").at("frame");
     json["before"] = optional_json(view.before);
     json["card"] = optional_json(view.card);
-    json["work"] = result.at("work");
+    json["counts"] = result.at("counts");
     json["scales"] = scales_json(result.at("fit"));
     json["warnings"] = result.at("warnings");
     return json;
