@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -29,49 +28,8 @@ constexpr int max_channels = max_picture_channels;
 constexpr int rows_of_strip = 256;  // the longest blocks of rows that OpenEXR packs
 constexpr std::size_t max_file_bytes = std::size_t{1} << 32;
 
-/// A format that is read, and how OpenImageIO calls it.
-struct Format {
-    std::string_view magic;
-    const char* reader;
-    /// What its compression can reach at best: a header that claims more pixels than the file can
-    /// hold is refused before they are allocated. A Radiance run is 127 pixels in 8 bytes; deflate
-    /// reaches 1032 : 1, and what a pixel of a PNG takes is in its header.
-    std::int64_t max_pixels_per_byte;
-};
-
-constexpr std::array<Format, 7> formats{{{"#?", "hdr", 16},
-                                         {"\x76\x2f\x31\x01", "openexr", 1032},
-                                         {"\x89PNG\r\n\x1a\n", "png", 1032},
-                                         {"PF", "pnm", 1},
-                                         {"Pf", "pnm", 1},
-                                         {"P6", "pnm", 1},
-                                         {"P3", "pnm", 1}}};
-
 Error bad_file(const std::string& name, const std::string& what) {
     return Error(ExitCode::bad_file, name + ": " + what);
-}
-
-bool starts_with(std::span<const unsigned char> bytes, std::string_view magic) {
-    return bytes.size() >= magic.size() &&
-           std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
-}
-
-std::string first_bytes(std::span<const unsigned char> bytes) {
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size() && i < 8; ++i)
-        text += fmt::format("{}{:02x}", i == 0 ? "" : " ", bytes[i]);
-    return text;
-}
-
-const Format& identify(std::span<const unsigned char> bytes, const std::string& name) {
-    if (bytes.empty()) throw bad_file(name, "empty file");
-    if (is_git_lfs_pointer(bytes))
-        throw bad_file(name,
-                       "a Git LFS pointer instead of the picture; fetch it with 'git lfs pull'");
-    for (const Format& format : formats)
-        if (starts_with(bytes, format.magic)) return format;
-    throw bad_file(name, "unknown format (starts with " + first_bytes(bytes) +
-                             "); readable are HDR, OpenEXR, PFM, PPM and PNG");
 }
 
 /// The bytes of a file. OpenImageIO 2.4's own reader of memory takes an offset of -1, which a
@@ -120,15 +78,14 @@ std::string checked_reason(const std::string& reason) {
 /// With the first line of the reader's own reason.
 Error reader_error(const Input& input, const char* what) {
     const std::string reason = checked_reason(input.reader->geterror());
-    return bad_file(input.name,
-                    fmt::format("{} {} data: {}", what, input.reader->format_name(),
-                                printable(reason.substr(0, reason.find('\n')), 240)));
+    return bad_file(input.name, fmt::format("{} {} data: {}", what, input.reader->format_name(),
+                                            printable(reason.substr(0, reason.find('\n')), 240)));
 }
 
 /// Opens with the reader of `format` alone. All four read from memory in OpenImageIO 2.4; one that
 /// does not would have to open the file by name, past the bytes that were checked, so it is
 /// refused.
-Input open_input(std::span<const unsigned char> bytes, const Format& format,
+Input open_input(std::span<const unsigned char> bytes, const PictureFormat& format,
                  const std::string& name) {
     configure_open_image_io();
     Input input{
@@ -182,17 +139,8 @@ int pixels_packed(const OIIO::ImageSpec& spec) {
     return compression.starts_with("dwa") ? 64 : 1;
 }
 
-/// What the file can hold by its length, after its own headers have been looked at.
-std::int64_t most_pixels(std::span<const unsigned char> bytes, const Format& format,
-                         const std::string& name) {
-    const std::string_view reader = format.reader;
-    const std::int64_t most = static_cast<std::int64_t>(bytes.size()) * format.max_pixels_per_byte;
-    if (reader == "openexr") check_openexr(bytes, name);
-    return reader == "png" ? 8 * most / check_png(bytes, name) : most;
-}
-
 Input open_checked(std::span<const unsigned char> bytes, const std::string& name) {
-    const Format& format = identify(bytes, name);
+    const PictureFormat& format = identify_picture(bytes, name);
     const std::int64_t most = most_pixels(bytes, format, name);
     Input input = open_input(bytes, format, name);
     check_size(input.spec, most * pixels_packed(input.spec), name);
@@ -328,7 +276,7 @@ ReadImage read_float_image(const std::filesystem::path& path) {
 }
 
 ByteImage decode_png(std::span<const unsigned char> bytes, const std::string& name) {
-    if (std::string_view(identify(bytes, name).reader) != "png")
+    if (std::string_view(identify_picture(bytes, name).reader) != "png")
         throw bad_file(name, "not a PNG file");
     Input input = open_checked(bytes, name);
     if (input.spec.format != OIIO::TypeDesc::UINT8)

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 /// What is looked at in the bytes of a picture before a reader of OpenImageIO sees them, because
 /// the reader would allocate what a header claims, or take a file that lost its end for whole.
@@ -15,10 +16,25 @@ constexpr int max_picture_channels = 4;
 /// @throws Error(bad_file) naming the file and the size
 void check_picture_size(std::int64_t width, std::int64_t height, const std::string& name);
 
-/// libpng stops at the last row, so a file that lost its end would pass: walks the chunks to IEND.
-/// @return bits of a pixel as stored, at least 1
+/// A format that is read, and how OpenImageIO calls it.
+struct PictureFormat {
+    std::string_view magic;
+    const char* reader;
+    /// What its compression can reach at best: a header that claims more pixels than the file can
+    /// hold is refused before they are allocated. A Radiance run is 127 pixels in 8 bytes; deflate
+    /// reaches 1032 : 1, and what a pixel of a PNG takes is in its header.
+    std::int64_t max_pixels_per_byte;
+};
+
+/// The format by the file's first bytes, whatever its name ends in.
+/// @throws Error(bad_file) naming the file, its first bytes and the formats that are read
+const PictureFormat& identify_picture(std::span<const unsigned char> bytes,
+                                      const std::string& name);
+
+/// Pixels that the file can hold by its length, after its own headers have been looked at.
 /// @throws Error(bad_file)
-int check_png(std::span<const unsigned char> bytes, const std::string& name);
+std::int64_t most_pixels(std::span<const unsigned char> bytes, const PictureFormat& format,
+                         const std::string& name);
 
 /// Walks the attributes of all headers: each must lie within the file, and windows, tiles, channels
 /// and preview must keep the limits.

@@ -92,7 +92,8 @@ bool read_attribute(ByteCursor& at) {
     if (name.empty()) return false;
     const std::string type = read_name(at);
     const auto size = at.value<std::uint32_t>();
-    check_attribute(name, type, ByteCursor(at.take(size), at.name()));
+    const std::string place = fmt::format("{}: attribute '{}'", at.name(), printable(name));
+    check_attribute(name, type, ByteCursor(at.take(size), place));
     return true;
 }
 
