@@ -61,10 +61,8 @@ class LogMatrix {
     Vector multiply_transpose(std::span<const double> y, int threads) const;
 
     /// The same for values that need not be stored. @param y y(i) of each row
-    template <class RowValue>
-    requires std::invocable<RowValue, std::size_t> Vector multiply_transpose(const RowValue& y,
-                                                                             int threads)
-    const;
+    template <std::invocable<std::size_t> RowValue>
+    Vector multiply_transpose(const RowValue& y, int threads) const;
 
     /// Euclidean norm of each column of diag(row_weight) A.
     Vector column_norms(std::span<const double> row_weight, int threads) const;
@@ -111,10 +109,8 @@ std::vector<Value> LogMatrix::sum_samples(const AddPart& add_part, int threads) 
     return std::move(sums[0]);
 }
 
-template <class RowValue>
-requires std::invocable<RowValue, std::size_t> Vector
-LogMatrix::multiply_transpose(const RowValue& y, int threads)
-const {
+template <std::invocable<std::size_t> RowValue>
+Vector LogMatrix::multiply_transpose(const RowValue& y, int threads) const {
     const RowReader read = reader();
     Vector sums = sum_samples<double>(
         [&](std::size_t first, std::size_t end, double* part) {

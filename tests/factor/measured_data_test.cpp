@@ -8,6 +8,7 @@
 #include "factor/surface_angles.hpp"
 #include "tests/data_folder.hpp"
 #include "tests/factor/measured_files.hpp"
+#include "tests/refusal.hpp"
 #include "texunit/exact_math.hpp"
 
 using namespace twofold;
@@ -15,27 +16,16 @@ using namespace twofold::cases;
 
 namespace {
 
-template <class Parse>
-std::string refusal(const Parse& parse) {
-    try {
-        parse();
-    } catch (const Error& error) {
-        return (error.code() == ExitCode::bad_file ? "" : "wrong exit code: ") +
-               std::string(error.what());
-    }
-    return "accepted";
-}
-
 std::string merl_refusal(const Bytes& bytes) {
-    return refusal([&] { parse_merl(bytes, "m.binary"); });
+    return refusal(ExitCode::bad_file, [&] { parse_merl(bytes, "m.binary"); });
 }
 
 std::string rgl_refusal(const Bytes& bytes) {
-    return refusal([&] { parse_rgl(bytes, "r.bsdf"); });
+    return refusal(ExitCode::bad_file, [&] { parse_rgl(bytes, "r.bsdf"); });
 }
 
 std::string cornell_refusal(const std::string& text) {
-    return refusal([&] { parse_cornell(text, "c.brdf"); });
+    return refusal(ExitCode::bad_file, [&] { parse_cornell(text, "c.brdf"); });
 }
 
 Bytes bytes_of_text(std::string_view text) { return {text.begin(), text.end()}; }

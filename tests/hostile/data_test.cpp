@@ -6,6 +6,7 @@
 #include "scenes/factor_set.hpp"
 #include "scenes/mesh_file.hpp"
 #include "tests/factor/measured_files.hpp"
+#include "tests/refusal.hpp"
 
 using namespace twofold;
 using namespace twofold::cases;
@@ -13,17 +14,6 @@ using namespace std::string_literals;
 using Catch::Contains;
 
 namespace {
-
-template <class Read>
-std::string refusal(const Read& read) {
-    try {
-        read();
-    } catch (const Error& error) {
-        return (error.code() == ExitCode::bad_file ? "" : "wrong exit code: ") +
-               std::string(error.what());
-    }
-    return "accepted";
-}
 
 const std::vector<std::string> impossible_counts{
     "-1", "-2147483649", "9223372036854775808", "nan", "1e9", "", "0x10", "1,000"};
@@ -35,11 +25,11 @@ std::string ply_of(const std::string& vertices, const std::string& faces, const 
 }
 
 std::string ply_refusal(const std::string& text) {
-    return refusal([&] { parse_ply(text, "m.ply"); });
+    return refusal(ExitCode::bad_file, [&] { parse_ply(text, "m.ply"); });
 }
 
 std::string obj_refusal(const std::string& text) {
-    return refusal([&] { parse_obj(text, "m.obj"); });
+    return refusal(ExitCode::bad_file, [&] { parse_obj(text, "m.obj"); });
 }
 
 }  // namespace
@@ -93,7 +83,7 @@ TEST_CASE("indices of an OBJ file beyond every integer type are refused with the
 TEST_CASE("fields of a tensor file that lie over each other are refused", "[hostile]") {
     const auto fields = rgl_fields([](std::size_t, std::size_t) { return 1.0F; });
     const Bytes good = tensor_file(fields);
-    REQUIRE(refusal([&] { parse_rgl(good, "r.bsdf"); }) == "accepted");
+    REQUIRE(refusal(ExitCode::bad_file, [&] { parse_rgl(good, "r.bsdf"); }) == "accepted");
     // A field's name is followed by its number of dimensions, type, offset and shape.
     const auto offset_of = [](Bytes& bytes, const std::string& name) {
         return std::search(bytes.begin(), bytes.end(), name.begin(), name.end()) +
@@ -105,13 +95,14 @@ TEST_CASE("fields of a tensor file that lie over each other are refused", "[host
         std::copy_n(offset_of(bytes, "rgb"), 8, offset_of(bytes, name));
         offset_of(bytes, name)[16] = 70;
     }
-    CHECK_THAT(refusal([&] { parse_rgl(bytes, "r.bsdf"); }), Contains("lie over each other"));
+    CHECK_THAT(refusal(ExitCode::bad_file, [&] { parse_rgl(bytes, "r.bsdf"); }),
+               Contains("lie over each other"));
     for (const std::uint64_t edge :
          {std::uint64_t{1} << 31, std::uint64_t{1} << 63, ~std::uint64_t{}}) {
         Bytes huge = good;
         const auto shape = offset_of(huge, "sigma") + 8;
         for (int i = 0; i < 8; ++i) shape[i] = static_cast<unsigned char>(edge >> (8 * i));
-        CHECK_THAT(refusal([&] { parse_rgl(huge, "r.bsdf"); }),
+        CHECK_THAT(refusal(ExitCode::bad_file, [&] { parse_rgl(huge, "r.bsdf"); }),
                    Contains("r.bsdf: field 'sigma' does not fit: [" + std::to_string(edge)));
     }
 }
@@ -119,10 +110,10 @@ TEST_CASE("fields of a tensor file that lie over each other are refused", "[host
 TEST_CASE("a Cornell file of more measurements than could be searched is refused", "[hostile]") {
     std::string text = "2\n500 600\n";
     for (int i = 0; i < 100'001; ++i) text += "0 0 0 0 1 1\n";
-    CHECK(refusal([&] { parse_cornell(text, "c.brdf"); }) ==
+    CHECK(refusal(ExitCode::bad_file, [&] { parse_cornell(text, "c.brdf"); }) ==
           "c.brdf: line 100003: more than 100000 measurements");
     for (const std::string& count : {"2147483648"s, "-1"s, "1025"s, "nan"s, "1e308"s})
-        CHECK_THAT(refusal([&] { parse_cornell(count, "c.brdf"); }),
+        CHECK_THAT(refusal(ExitCode::bad_file, [&] { parse_cornell(count, "c.brdf"); }),
                    Contains("c.brdf: line 1: number of wavelengths: '" + count));
 }
 
@@ -150,7 +141,7 @@ TEST_CASE("a MERL file of every special value is read and its marks are counted"
 
 TEST_CASE("a set of factor textures with an impossible line is refused by it", "[hostile]") {
     const auto set = [](const std::string& text) {
-        return refusal([&] { parse_factor_set(text, "f.txt"); });
+        return refusal(ExitCode::bad_file, [&] { parse_factor_set(text, "f.txt"); });
     };
     CHECK(set("a\n0\n1 1 1\n0\n") == "accepted");
     for (const char* kind : {"3", "-1", "2147483648", "x", "", "0x0"})

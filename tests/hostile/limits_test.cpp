@@ -6,33 +6,24 @@
 #include "scenes/json_text.hpp"
 #include "scenes/scene_file.hpp"
 #include "study/sweep/study_file.hpp"
+#include "tests/refusal.hpp"
 #include "texunit/atomic_file.hpp"
 #include "texunit/error.hpp"
 
 using namespace twofold;
 using Catch::Contains;
+using twofold::cases::refusal;
 
 namespace {
 
 const std::string smallest = R"({"meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})";
 
-template <class Read>
-std::string refusal(const Read& read) {
-    try {
-        read();
-    } catch (const Error& error) {
-        return (error.code() == ExitCode::failure ? "" : "wrong exit code: ") +
-               std::string(error.what());
-    }
-    return "accepted";
-}
-
 std::string scene_refusal(const std::string& change) {
-    return refusal([&] { parse_scene(smallest, "x.json", "", {change}); });
+    return refusal(ExitCode::failure, [&] { parse_scene(smallest, "x.json", "", {change}); });
 }
 
 std::string study_refusal(const std::string& text) {
-    return refusal([&] { parse_study(text, "s.json"); });
+    return refusal(ExitCode::failure, [&] { parse_study(text, "s.json"); });
 }
 
 std::string repeated(const std::string& part, std::size_t count) {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/refusal.hpp"
 #include "tests/temporary_folder.hpp"
 #include "texunit/error.hpp"
 #include "texunit/image_file.hpp"
@@ -54,13 +55,7 @@ std::span<const unsigned char> bytes_of(const std::string& text) {
 }
 
 std::string refusal(const std::string& file, const std::string& name = "a.png") {
-    try {
-        decode_float_image(bytes_of(file), name);
-    } catch (const Error& error) {
-        return (error.code() == ExitCode::bad_file ? "" : "wrong exit code: ") +
-               std::string(error.what());
-    }
-    return "accepted";
+    return cases::refusal(ExitCode::bad_file, [&] { decode_float_image(bytes_of(file), name); });
 }
 
 std::string attribute(const std::string& name, const std::string& type, const std::string& value) {

@@ -7,6 +7,7 @@
 #include "scenes/factor_set.hpp"
 #include "tests/data_folder.hpp"
 #include "tests/factor/measured_files.hpp"
+#include "tests/refusal.hpp"
 #include "tests/scenes/scene_text.hpp"
 #include "tests/temporary_folder.hpp"
 #include "texunit/atomic_file.hpp"
@@ -20,13 +21,7 @@ namespace {
 const std::string text = "Red paint\r\n0\r\n0.1 0.05 0.02\r\n26.05\r\n";
 
 std::string refusal(std::string_view set) {
-    try {
-        parse_factor_set(set, "f.txt");
-    } catch (const Error& error) {
-        CHECK(error.code() == ExitCode::bad_file);
-        return error.what();
-    }
-    return "accepted";
+    return cases::refusal(ExitCode::bad_file, [&] { parse_factor_set(set, "f.txt"); });
 }
 
 void write_even_texture(const std::filesystem::path& path, std::uint8_t level) {
