@@ -6,9 +6,12 @@ core_libraries=(texunit raster factor scenes)
 # build_core COMPILER BUILD_DIR SOURCE_DIR FLAGS: quiet unless it fails. FLAGS come last in every compiler
 # call, after those of the build type and of the targets, so that they win.
 build_core() {
-    local log
+    local log precompiled=
     log=$(mktemp) || return 2
+    # Not without optimisation (cmake/precompiled.cmake), and not for the self-tests' libraries of one empty source.
+    case "$4" in -O0*) ;; *) [ -e "$3/factor/empty.cpp" ] || precompiled=$3/cmake/precompiled.cmake ;; esac
     if ! { cmake -S "$3" -B "$2" -DCMAKE_CXX_COMPILER="$1" -DTWOFOLD_TESTS=OFF -DTWOFOLD_BENCH=OFF \
+               ${precompiled:+-DCMAKE_PROJECT_INCLUDE="$precompiled"} \
                -DCMAKE_CXX_COMPILE_OBJECT="<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> $4 -o <OBJECT> -c <SOURCE>" &&
            cmake --build "$2" --target "${core_libraries[@]}" --parallel "${JOBS:-2}"; } >"$log" 2>&1; then
         cat "$log" >&2

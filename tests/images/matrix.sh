@@ -22,7 +22,8 @@ for name in "${names[@]}"; do
     build=build/matrix/$name
     # Debug adds no optimisation of its own, so the flags decide.
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="${compiler[$name]}" \
-        -DCMAKE_CXX_FLAGS="${flags[$name]}" -DCMAKE_CXX_FLAGS_DEBUG="" -DTWOFOLD_TESTS=ON >/dev/null
+        -DCMAKE_CXX_FLAGS="${flags[$name]}" -DCMAKE_CXX_FLAGS_DEBUG="" -DTWOFOLD_TESTS=ON \
+        -DCMAKE_PROJECT_INCLUDE=cmake/precompiled.cmake >/dev/null
     cmake --build "$build" --target image_hashes | tail -n 1
     for threads in 1 7; do
         echo "== $name (${compiler[$name]} ${flags[$name]}), $threads threads"

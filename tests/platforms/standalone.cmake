@@ -31,12 +31,4 @@ get_target_property(sources texunit SOURCES)
 list(FILTER sources EXCLUDE REGEX "/parallel.cpp$")
 set_target_properties(texunit PROPERTIES SOURCES "${sources};${CMAKE_CURRENT_SOURCE_DIR}/thread_parallel.cpp")
 
-# Half of the time of a build goes into these. g++ 12 without optimisation takes the immediates of AVX-512's
-# macros for variables when they follow a precompiled header.
-if(CMAKE_CXX_FLAGS MATCHES "-O0")
-  return()
-endif()
-foreach(library texunit raster factor)
-  target_precompile_headers(${library} PRIVATE <fmt/format.h> <algorithm> <array> <cmath> <functional> <optional>
-                            <span> <string> <variant> <vector> <glm/mat3x3.hpp> <glm/mat4x4.hpp>)
-endforeach()
+include(${root}/cmake/precompiled.cmake)
