@@ -82,7 +82,8 @@ class TileMemoryPool {
   public:
     std::unique_ptr<TileMemory<M>> take() {
         const std::lock_guard lock(mutex_);
-        if (free_.empty()) return std::make_unique_for_overwrite<TileMemory<M>>();
+        // Not filled with zeros; libc++ 14 has no make_unique_for_overwrite.
+        if (free_.empty()) return std::unique_ptr<TileMemory<M>>(new TileMemory<M>);
         auto memory = std::move(free_.back());
         free_.pop_back();
         return memory;
