@@ -8,8 +8,11 @@ core_libraries=(texunit raster factor scenes)
 build_core() {
     local log precompiled=
     log=$(mktemp) || return 2
-    # Not without optimisation (cmake/precompiled.cmake), and not for the self-tests' libraries of one empty source.
-    case "$4" in -O0*) ;; *) [ -e "$3/factor/empty.cpp" ] || precompiled=$3/cmake/precompiled.cmake ;; esac
+    # Not for the self-tests' libraries of one empty source, and not for g++ without optimisation, where
+    # cmake/precompiled.cmake says why.
+    if [ ! -e "$3/factor/empty.cpp" ] && [[ $4 != -O0* || $1 == *clang* ]]; then
+        precompiled=$3/cmake/precompiled.cmake
+    fi
     if ! { cmake -S "$3" -B "$2" -DCMAKE_CXX_COMPILER="$1" -DTWOFOLD_TESTS=OFF -DTWOFOLD_BENCH=OFF \
                ${precompiled:+-DCMAKE_PROJECT_INCLUDE="$precompiled"} \
                -DCMAKE_CXX_COMPILE_OBJECT="<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> $4 -o <OBJECT> -c <SOURCE>" &&
