@@ -5,7 +5,7 @@ set -euo pipefail
 
 build=(ca-certificates g++ cmake ninja-build pkg-config libglm-dev libfmt-dev libtbb-dev
        nlohmann-json3-dev libcli11-dev libopenimageio-dev libhwy-dev libssl-dev)
-check=("${build[@]}" clang catch2 libmpfr-dev libgmm++-dev libeigen3-dev libtinyobjloader-dev
+check=("${build[@]}" clang libclang-rt-14-dev catch2 libmpfr-dev libgmm++-dev libeigen3-dev libtinyobjloader-dev
        binutils git python3 python3-jsonschema chromium valgrind)
 # To compare with Mesa's drivers without a screen (-DTWOFOLD_GL=ON).
 gl=("${build[@]}" libegl-dev libgl-dev libopengl-dev libegl1 libegl-mesa0 libgl1-mesa-dri)
