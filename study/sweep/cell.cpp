@@ -67,6 +67,15 @@ std::string part_of(const Json& scene, std::initializer_list<const char*> fields
     return part.dump() + more;
 }
 
+/// What decides the samples beside the materials and lights: how lights are summed; of sphere maps,
+/// which are tied to the eye, and of surface light fields, sampled on the surfaces for their rows,
+/// the camera and every setting.
+std::string sampling_part(const FactorSettings& settings, const Json& scene) {
+    if (settings.map_form == MapForm::sphere || settings.model == Model::slf)
+        return part_of(scene, {"camera", "factorization"}, "");
+    return part_of(scene.at("factorization"), {"lighting_sum", "lighting_tolerance"}, "");
+}
+
 /// What is drawn of a cell: its technique alone may not look at all of it.
 Json drawn_json(const Cell& cell) {
     Json scene = Json::parse(scene_to_json(cell.scene));
@@ -119,13 +128,10 @@ CellKeys keys_of(const Cell& cell, InputHashes& inputs) {
     const std::string files = inputs.of(cell.scene);
     const int held_out = cell.scene.factorization.held_out;
     CellKeys keys;
-    // Sphere maps are tied to the eye: their lights are turned.
-    const bool eye = cell.scene.factorization.map_form == MapForm::sphere;
     keys.assets = part_of(scene, {"meshes", "textures", "historical", "directory"}, files);
-    keys.lighting =
-        part_of(scene, {"environment", "white", "materials", "objects", "directory"},
-                fmt::format("{} {} {} {}", files, held_out, cell.white_samples,
-                            eye ? part_of(scene, {"camera", "factorization"}, "") : ""));
+    keys.lighting = part_of(scene, {"environment", "white", "materials", "objects", "directory"},
+                            fmt::format("{} {} {} {}", files, held_out, cell.white_samples,
+                                        sampling_part(cell.scene.factorization, scene)));
     const Json& image = scene.at("image");
     keys.truth = part_of(scene, {"camera"}, keys.assets + keys.lighting) +
                  part_of(image, {"width", "height", "background"}, "");
@@ -138,7 +144,7 @@ CellKeys keys_of(const Cell& cell, InputHashes& inputs) {
 }
 
 /// Of a kept result: one of another format is measured again.
-constexpr std::string_view result_format = "2";
+constexpr std::string_view result_format = "3";
 
 std::string id_of(const Cell& cell, InputHashes& inputs) {
     const Preset preset = cell.scene.presets.front();
