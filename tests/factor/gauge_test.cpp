@@ -53,6 +53,28 @@ TEST_CASE("F08 two disjoint patches of texels have a gauge each", "[hard][F08]")
     CHECK(told);
 }
 
+TEST_CASE("A balanced component's factors have one mean, and no row moves") {
+    const FactorSettings settings = cases::unregularised(16, 0.875);
+    const LogRows rows = log_rows(two_clusters().at, settings);
+    const Gauge gauge(rows.matrix, Vector(rows.matrix.rows(), 1.0), rows.starts());
+    Vector x(rows.matrix.columns());
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] = 0.01 * static_cast<double>(j % 37);
+    const Vector balanced = gauge.balanced(x);
+    // A null vector has weights of one sign on a factor and the other on the other: it is
+    // orthogonal to unknowns whose means are equal.
+    for (const SparseVector& d : gauge.null_vectors(Vector(x.size(), 1.0))) {
+        double sum[2] = {0.0, 0.0}, count[2] = {0.0, 0.0};
+        for (std::size_t k = 0; k < d.index.size(); ++k) {
+            sum[d.value[k] > 0.0] += balanced[d.index[k]];
+            count[d.value[k] > 0.0] += 1.0;
+        }
+        CHECK(sum[0] / count[0] == Approx(sum[1] / count[1]).margin(1e-12));
+    }
+    const Vector before = rows.matrix.multiply(x, 1), after = rows.matrix.multiply(balanced, 1);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        CHECK(after[i] == Approx(before[i]).margin(1e-12));
+}
+
 TEST_CASE("F07 a third factor adds a second null vector, orthogonal to the first", "[hard][F07]") {
     FactorSettings settings;
     settings.map_size = 8;

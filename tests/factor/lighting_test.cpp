@@ -122,6 +122,13 @@ TEST_CASE("A quarter of an even sky and more is left out", "[lighting]") {
     }
 }
 
+TEST_CASE("A view from below or along the surface sees nothing", "[lighting]") {
+    const DistantLights sky = uneven_sky();
+    for (const Brdf& brdf : materials())
+        for (const Vec3& v : {Vec3(0.0, 0.6, -0.8), Vec3(1.0, 0.0, 0.0)})
+            CHECK(outgoing_radiance(brdf, sky, SurfaceView{up, v}) == Rgb(0.0));
+}
+
 TEST_CASE("A light below the horizon adds exactly nothing", "[lighting]") {
     for (const Brdf& material : materials()) {
         DistantLights lights;
