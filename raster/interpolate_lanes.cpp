@@ -77,16 +77,12 @@ struct Near {
                           const Unit<std::uint32_t>& unit, std::size_t u,
                           const std::array<double, 3>& w, std::array<double, 4>& largest) {
         const Four four;
-        const double to_centre = unit.linear ? 128.0 : 0.0;
-        alignas(32) const std::array<double, 4> scale{256.0 * unit.image.width,
-                                                      256.0 * unit.image.height, 0.0, 1.0};
-        alignas(32) const std::array<double, 4> shift{to_centre, to_centre, 0.0, 0.0};
         for (std::size_t i = 0; i < 4; i += hn::Lanes(four)) {
             const auto value = [&](std::size_t k) HWY_ATTR {
                 const auto v = hn::LoadU(four, c.coords[u][k]->data() + i);
                 const auto scaled = hn::Mul(hn::Mul(v, hn::Set(four, w[k])),
-                                            hn::Load(four, scale.data() + i));
-                return hn::Sub(scaled, hn::Mul(hn::Load(four, shift.data() + i),
+                                            hn::LoadU(four, unit.scale.data() + i));
+                return hn::Sub(scaled, hn::Mul(hn::LoadU(four, unit.shift.data() + i),
                                                hn::Set(four, q_of_vertex[k])));
             };
             const auto v0 = value(0), v1 = value(1), v2 = value(2);

@@ -118,6 +118,7 @@ template <NumericModel M>
 lanes::Unit<LaneTexel<M>> lane_unit(const BoundUnit<M>& unit, const LaneTexel<M>* texels) {
     const UploadedImage<M>& image = unit.texture->levels[0];
     const TextureUnitState& s = unit.state;
+    const double to_centre = s.mag_filter == Filter::linear ? 128.0 : 0.0;
     return {{texels, image.width, image.height, image.width + 3},
             s.wrap_s,
             s.wrap_t,
@@ -126,7 +127,9 @@ lanes::Unit<LaneTexel<M>> lane_unit(const BoundUnit<M>& unit, const LaneTexel<M>
             s.target == TextureTarget::rectangle,
             s.env.mode == TexEnvMode::replace,
             unit.env.rgb_scale,
-            unit.env.alpha_scale};
+            unit.env.alpha_scale,
+            {256.0 * image.width, 256.0 * image.height, 0.0, 1.0},
+            {to_centre, to_centre, 0.0, 0.0}};
 }
 
 }  // namespace twofold

@@ -104,6 +104,9 @@ struct Unit {
     bool in_texels;
     bool replace;  ///< else MODULATE
     int rgb_scale, alpha_scale;
+    /// What of s, t, r, q makes places in 1/256 texel, with LINEAR from the centre of texel (0, 0):
+    /// the coordinate times `scale`, less q times `shift`.
+    std::array<double, 4> scale, shift;
 };
 
 template <class Texel>

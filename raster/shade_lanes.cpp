@@ -124,23 +124,26 @@ void shade_bytes(const Shader<std::uint32_t>& s, ByteBatch& batch) {
 }
 
 /// Rows of a triangle lie side by side in the picture: whole vectors of them are stored at once.
+/// Of fragments with one place the last is stored last.
 void write_bytes(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride) {
     const S32 d;
     const auto iota = hn::Iota(d, 0);
-    alignas(64) std::array<std::int32_t, widest> to;
-    for (std::size_t i = 0; i < batch.size; i += hn::Lanes(d)) {
-        const std::size_t count = HWY_MIN(hn::Lanes(d), batch.size - i);
+    const std::size_t whole = batch.size / hn::Lanes(d) * hn::Lanes(d);
+    for (std::size_t i = 0; i < whole; i += hn::Lanes(d)) {
         const auto at = hn::LoadU(d, batch.places.at.data() + i);
-        const std::uint32_t* const color = batch.color.data() + i;
+        const auto color = hn::LoadU(U32(), batch.color.data() + i);
         const auto row = hn::Mul(hn::ShiftRight<tile_edge_bits>(at),
                                  hn::Set(d, static_cast<std::int32_t>(stride)));
         const auto places = hn::Add(row, hn::And(at, hn::Set(d, tile_edge - 1)));
-        hn::Store(places, d, to.data());
-        const bool in_line = hn::AllTrue(d, hn::Eq(places, hn::Add(hn::Set(d, to[0]), iota)));
-        if (in_line && count == hn::Lanes(d))
-            hn::StoreU(hn::LoadU(U32(), color), U32(), tile + to[0]);
+        const std::int32_t first = hn::GetLane(places);
+        if (hn::AllTrue(d, hn::Eq(places, hn::Add(hn::Set(d, first), iota))))
+            hn::StoreU(color, U32(), tile + first);
         else
-            for (std::size_t k = 0; k < count; ++k) tile[to[k]] = color[k];
+            hn::ScatterIndex(color, U32(), tile, places);
+    }
+    for (std::size_t i = whole; i < batch.size; ++i) {
+        const auto at = static_cast<std::size_t>(batch.places.at[i]);
+        tile[(at >> tile_edge_bits) * stride + at % tile_edge] = batch.color[i];
     }
 }
 

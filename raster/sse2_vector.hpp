@@ -174,6 +174,15 @@ template <class T>
 HWY_INLINE Vector<T, 2> GatherIndex(Tag<T, 2>, const T* base, Vector<std::int64_t, 2> at) {
     return {Raw<T>{base[at.raw[0]], base[at.raw[1]]}};
 }
+/// Lane after lane.
+template <class T, std::size_t N>
+HWY_INLINE void ScatterIndex(Vector<T, N> v, Tag<T, N>, T* base, Vector<std::int32_t, N> at) {
+    for (std::size_t i = 0; i < N; ++i) base[at.raw[i]] = v.raw[i];
+}
+template <class T, std::size_t N>
+HWY_INLINE T GetLane(Vector<T, N> v) {
+    return v.raw[0];
+}
 /// Places in bytes.
 HWY_INLINE Vector<std::uint64_t, 2> GatherOffset(Tag<std::uint64_t, 2>, const std::uint64_t* base,
                                                  Vector<std::int64_t, 2> at) {

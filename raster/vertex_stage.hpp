@@ -197,7 +197,9 @@ template <NumericModel M>
 void color_vertices(const M& m, const GroupGeometry<M>& g, WindowMesh<M>& out) {
     using A = typename M::Vertex;
     resize(out, g.mesh.positions.size(), g.sets);
-    out.one_color = g.mesh.colors.empty();
+    const auto& colors = g.mesh.colors;
+    out.one_color =
+        std::adjacent_find(colors.begin(), colors.end(), std::not_equal_to<>()) == colors.end();
     for (std::size_t i = 0; i < g.mesh.positions.size(); ++i) {
         const Vec4 color = g.mesh.colors.empty() ? g.state.color : g.mesh.colors[i];
         const Vec4 secondary =
