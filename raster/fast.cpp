@@ -67,6 +67,11 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
     BoundPass<M> bound = twofold::bind(state.m, normal, frame.color_format, state.textures, state.white);
     const bool known = lanes_know<M>(bound);
     auto shader = known ? make_shader(state, bound) : lanes::Shader<LaneTexel<M>>{};
+    unsigned bounded_sets = 0, far_q_sets = 0;
+    for (const BoundUnit<M>& unit : bound.units) {
+        bounded_sets |= 1u << set_of[unit.index];
+        if (unit.state.divide_by_q) far_q_sets |= 1u << set_of[unit.index];
+    }
     return {std::move(bound),
             &state.meshes[group],
             group,
@@ -74,6 +79,8 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
             set_of,
             drawable_pixels(normal, frame.width, frame.height),
             known,
+            bounded_sets,
+            far_q_sets,
             shader,
             depth_rule<M>(normal, frame.depth_bits)};
 }

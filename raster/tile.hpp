@@ -42,6 +42,7 @@ struct TilePass {
     std::array<std::size_t, max_units> set_of;  ///< the mesh's coordinate set that a unit reads
     PixelRectangle pixels;
     bool on_lanes;
+    unsigned bounded_sets, far_q_sets;  ///< what vectors need of its triangles' VertexFlags
     lanes::Shader<LaneTexel<M>> shader;
     lanes::DepthRule depth;
 };
@@ -123,14 +124,10 @@ const Color<typename M::Channel>& corner_color(const TileTriangle<M>& t, std::si
 /// and no coordinate can overflow, vanish or be divided by 0.
 template <NumericModel M>
 bool on_lanes(const TileTriangle<M>& t) {
-    if (!t.pass.on_lanes || !t.triangle.flags.finite) return false;
-    for (const BoundUnit<M>& unit : t.pass.bound.units) {
-        const auto bit = static_cast<unsigned>(1u << t.pass.set_of[unit.index]);
-        const VertexFlags& f = t.triangle.flags;
-        if (!(f.bounded & bit)) return false;
-        if (unit.state.divide_by_q && !((f.positive_q | f.negative_q) & bit)) return false;
-    }
-    return true;
+    const VertexFlags& f = t.triangle.flags;
+    const unsigned far_q = f.positive_q | f.negative_q;
+    return t.pass.on_lanes && f.finite && !(t.pass.bounded_sets & ~unsigned{f.bounded}) &&
+           !(t.pass.far_q_sets & ~far_q);
 }
 
 /// The triangle as the vector loops take it: depth.
@@ -142,14 +139,9 @@ void add_depth(const TileTriangle<M>& t, lanes::Triangle& out) {
     out.near_depth_usable = set_near_depth(t.pass.depth, out);
 }
 
-/// The triangle as the vector loops take it.
-/// @param edges  of the same triangle in the tile
+/// The triangle as the vector loops take it: all but its edges.
 template <NumericModel M>
-lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& tile,
-                              const TileEdges& edges) {
-    lanes::Triangle out{};
-    out.cover = edges.cover;
-    out.e = edges.e;
+void add_corners(const TileTriangle<M>& t, const TileMemory<M>& tile, lanes::Triangle& out) {
     out.area = static_cast<double>(t.setup.doubled_area);
     out.x0 = static_cast<int>(t.pixels.x0) - tile.x0;
     out.y0 = static_cast<int>(t.pixels.y0) - tile.y0;
@@ -160,7 +152,6 @@ lanes::Triangle lane_triangle(const TileTriangle<M>& t, const TileMemory<M>& til
     out.equal_w =
         out.inverse_w[0] == out.inverse_w[1] && out.inverse_w[1] == out.inverse_w[2];
     if (t.pass.depth.computed) add_depth(t, out);
-    return out;
 }
 
 template <NumericModel M>
@@ -249,10 +240,12 @@ template <NumericModel M>
 void draw_triangle(const TileTriangle<M>& t, TileMemory<M>& tile) {
     const int bits = t.pass.bound.m.snap().fraction_bits;
     if constexpr (lane_kind<M>() != LaneKind::none) {
-        const TileEdges edges = edges_in_tile(t.setup, t.pixels, bits);
+        TileEdges edges = edges_in_tile(t.setup, t.pixels, bits);
         if (edges.none_covered) return;
-        if (edges.usable && on_lanes(t))
-            return draw_on_lanes(t, lane_triangle(t, tile, edges), tile);
+        if (edges.usable && on_lanes(t)) {
+            add_corners(t, tile, edges.triangle);
+            return draw_on_lanes(t, edges.triangle, tile);
+        }
         flush(t.pass, true, tile);
     }
     const WindowTriangle<M> triangle = window_triangle(*t.pass.mesh, t.triangle, t.pass.set_of);

@@ -24,7 +24,8 @@ TileEdges edges_in_tile(const TriangleSetup& setup, const PixelRectangle& pixels
     const std::int64_t one = std::int64_t{1} << fraction_bits;
     const WindowPoint corner{pixels.x0 * one + one / 2, pixels.y0 * one + one / 2};
     const std::int64_t right = pixels.x1 - pixels.x0 - 1, down = pixels.y1 - pixels.y0 - 1;
-    TileEdges out{};
+    TileEdges out;
+    out.none_covered = false;
     out.usable = setup.doubled_area < std::int64_t{1} << 52;
     for (std::size_t k = 0; k < 3; ++k) {
         const EdgeFunction& edge = setup.edge[k];
@@ -36,12 +37,14 @@ TileEdges edges_in_tile(const TriangleSetup& setup, const PixelRectangle& pixels
         const std::int64_t reach = magnitude(first) + (magnitude(edge.a) + magnitude(edge.b)) *
                                                           2 * lanes::tile_edge;
         if (reach >= std::int64_t{1} << (51 - fraction_bits)) out.usable = false;
-        out.e[k] = {static_cast<double>(value), static_cast<double>(edge.a * one),
+        out.triangle.e[k] = {static_cast<double>(value), static_cast<double>(edge.a * one),
                     static_cast<double>(edge.b * one)};
-        if (inside.least >= 0) continue;
-        if (reach >= std::int64_t{1} << 31) out.usable = false;
-        out.cover[k] = {static_cast<std::int32_t>(first), static_cast<std::int32_t>(edge.a),
-                        static_cast<std::int32_t>(edge.b)};
+        // No branch: which edges cut the rectangle cannot be guessed.
+        const std::int64_t cuts = inside.least < 0 ? -1 : 0;
+        if ((reach & cuts) >= std::int64_t{1} << 31) out.usable = false;
+        out.triangle.cover[k] = {static_cast<std::int32_t>(first & cuts),
+                                 static_cast<std::int32_t>(edge.a & cuts),
+                                 static_cast<std::int32_t>(edge.b & cuts)};
     }
     return out;
 }

@@ -7,8 +7,7 @@ namespace twofold {
 
 /// Edge functions from the first of the pixels to visit on.
 struct TileEdges {
-    std::array<lanes::CoverEdge, 3> cover;
-    std::array<lanes::Plane, 3> e;
+    lanes::Triangle triangle;  ///< of which only `cover` and `e` are set
     bool none_covered;  ///< no pixel has its centre inside
     bool usable;        ///< all numbers are exact: 31 bits for coverage, 53 for doubled areas
 };

@@ -21,7 +21,7 @@ std::array<WindowPoint, 3> random_triangle(test::Dice& dice, int bits) {
 }
 
 bool covered(const TileEdges& edges, std::int64_t x, std::int64_t y) {
-    for (const lanes::CoverEdge& e : edges.cover)
+    for (const lanes::CoverEdge& e : edges.triangle.cover)
         if (e.first + e.dx * x + e.dy * y < 0) return false;
     return true;
 }
@@ -43,7 +43,7 @@ TEST_CASE("The edges in a tile cover the pixels that the edge functions cover", 
             ++expected;
             inside[static_cast<std::size_t>(y * 128 + x)] = 1;
             for (std::size_t i = 0; i < 3; ++i) {
-                const lanes::Plane& p = edges.e[i];
+                const lanes::Plane& p = edges.triangle.e[i];
                 const double value = p.first + static_cast<double>(x - pixels.x0) * p.dx +
                                      static_cast<double>(y - pixels.y0) * p.dy;
                 wrong += edges.usable && value != static_cast<double>(e[i]);
@@ -69,7 +69,7 @@ TEST_CASE("An edge that has all pixels of a tile on its inner side takes no part
         set_up({WindowPoint{-16000, -16000}, {32000, -16000}, {-16000, 32000}});
     const TileEdges edges = edges_in_tile(setup, {0, 0, 128, 128}, 4);
     CHECK(edges.usable);
-    for (const lanes::CoverEdge& e : edges.cover) {
+    for (const lanes::CoverEdge& e : edges.triangle.cover) {
         CHECK(e.first == 0);
         CHECK(e.dx == 0);
         CHECK(e.dy == 0);
@@ -98,7 +98,7 @@ TEST_CASE("A depth plane that calls itself usable is within 2^-20 of a step of t
         if (setup.doubled_area == 0 || pixels.x0 >= pixels.x1 || pixels.y0 >= pixels.y1) continue;
         const TileEdges edges = edges_in_tile(setup, pixels, 4);
         lanes::Triangle t{};
-        t.e = edges.e;
+        t.e = edges.triangle.e;
         t.area = static_cast<double>(setup.doubled_area);
         t.x1 = static_cast<int>(pixels.x1 - pixels.x0);
         t.y1 = static_cast<int>(pixels.y1 - pixels.y0);
