@@ -14,29 +14,6 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
-template <class T>
-HWY_INLINE hn::Mask<T> passes(T d, CompareFunc func, hn::Vec<T> z, hn::Vec<T> stored) {
-    switch (func) {
-        case CompareFunc::never:
-            return hn::FirstN(d, 0);
-        case CompareFunc::less:
-            return hn::Lt(z, stored);
-        case CompareFunc::equal:
-            return hn::Eq(z, stored);
-        case CompareFunc::lequal:
-            return hn::Not(hn::Lt(stored, z));
-        case CompareFunc::greater:
-            return hn::Lt(stored, z);
-        case CompareFunc::notequal:
-            return hn::Ne(z, stored);
-        case CompareFunc::gequal:
-            return hn::Not(hn::Lt(z, stored));
-        case CompareFunc::always:
-            break;
-    }
-    return hn::FirstN(d, hn::Lanes(d));
-}
-
 /// Pixels of one row, the first at (x, y) from the triangle's first.
 struct RowPixels {
     int x, y;
@@ -63,16 +40,6 @@ HWY_NOINLINE VI quantised_depth(const Triangle& t, const DepthRule& rule, RowPix
     const DI di;
     const double half = static_cast<double>(hn::Lanes(d));
     return hn::Combine(di, quantised(p.x + half), quantised(p.x));
-}
-
-/// Stores the lanes of the mask, close together; up to a full vector may be written. Not Compress:
-/// g++ 12 copies Highway 1.0.3's table for it to the stack at every call.
-template <class T>
-HWY_INLINE void append(T d, hn::Vec<T> v, hn::Mask<T> m, hn::TFromD<T>* p) {
-    if (hn::AllTrue(d, m))
-        hn::StoreU(v, d, p);
-    else
-        hn::CompressStore(v, m, d, p);
 }
 
 /// Depth of a buffer of integers, a vector of pixels at a time.

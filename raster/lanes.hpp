@@ -54,6 +54,13 @@ struct DepthRule {
     double steps = 0.0, half = 0.0;  ///< integer = z steps + half, cut; unused for binary64 depth
 };
 
+/// What a fragment has yet to pass when it has been shaded.
+struct LateTests {
+    CompareFunc alpha = CompareFunc::always;
+    std::int32_t alpha_reference = 0;  ///< of 255
+    DepthRule depth;                   ///< if it is computed
+};
+
 inline constexpr std::size_t batch_room = batch_capacity + cover_capacity + 2 * tile_edge + 2 * widest;
 template <class T>
 using BatchColumn = std::array<T, batch_room>;
@@ -159,8 +166,14 @@ void shade(const Shader<std::uint32_t>& s, ByteBatch& batch);
 void shade(const Shader<Color<double>>& s, RealBatch<double>& batch);
 void shade(const Shader<Color<float>>& s, RealBatch<float>& batch);
 
-/// Puts a batch's colours to their pixels. The tile's rows lie `stride` pixels apart.
-void write_colors(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride);
+/// Of `size` shaded fragments, no two of one pixel, moves those that pass the tests to the front,
+/// writes their depth, and returns their number. Words of colours have alpha highest.
+std::size_t keep_survivors(const LateTests& tests, std::uint32_t* depth, std::size_t size,
+                           BatchPlaces& places, std::uint32_t* words);
+
+/// Puts colours to their pixels in their order. The tile's rows lie `stride` pixels apart.
+void write_colors(const BatchPlaces& places, const std::uint32_t* words, std::size_t size,
+                  std::uint32_t* tile, std::size_t stride);
 
 /// The fragments' shaded colours as bytes: floor(255 x + 1/2).
 void round_to_bytes(RealBatch<double>& batch);

@@ -123,30 +123,6 @@ void shade_bytes(const Shader<std::uint32_t>& s, ByteBatch& batch) {
     }
 }
 
-/// Rows of a triangle lie side by side in the picture: whole vectors of them are stored at once.
-/// Of fragments with one place the last is stored last.
-void write_bytes(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride) {
-    const S32 d;
-    const auto iota = hn::Iota(d, 0);
-    const std::size_t whole = batch.size / hn::Lanes(d) * hn::Lanes(d);
-    for (std::size_t i = 0; i < whole; i += hn::Lanes(d)) {
-        const auto at = hn::LoadU(d, batch.places.at.data() + i);
-        const auto color = hn::LoadU(U32(), batch.color.data() + i);
-        const auto row = hn::Mul(hn::ShiftRight<tile_edge_bits>(at),
-                                 hn::Set(d, static_cast<std::int32_t>(stride)));
-        const auto places = hn::Add(row, hn::And(at, hn::Set(d, tile_edge - 1)));
-        const std::int32_t first = hn::GetLane(places);
-        if (hn::AllTrue(d, hn::Eq(places, hn::Add(hn::Set(d, first), iota))))
-            hn::StoreU(color, U32(), tile + first);
-        else
-            hn::ScatterIndex(color, U32(), tile, places);
-    }
-    for (std::size_t i = whole; i < batch.size; ++i) {
-        const auto at = static_cast<std::size_t>(batch.places.at[i]);
-        tile[(at >> tile_edge_bits) * stride + at % tile_edge] = batch.color[i];
-    }
-}
-
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace twofold::lanes
@@ -156,13 +132,9 @@ HWY_AFTER_NAMESPACE();
 namespace twofold::lanes {
 
 HWY_EXPORT(shade_bytes);
-HWY_EXPORT(write_bytes);
 
 void shade(const Shader<std::uint32_t>& s, ByteBatch& batch) {
     HWY_DYNAMIC_DISPATCH(shade_bytes)(s, batch);
-}
-void write_colors(const ByteBatch& batch, std::uint32_t* tile, std::size_t stride) {
-    HWY_DYNAMIC_DISPATCH(write_bytes)(batch, tile, stride);
 }
 
 }  // namespace twofold::lanes

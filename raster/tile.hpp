@@ -196,22 +196,45 @@ void finish_fragment(const TilePass<M>& pass, std::size_t i, bool certain, TileM
                     tile.y0 + static_cast<int>(at / lanes::tile_edge), tile);
 }
 
+/// Finishes shaded fragments of one colour word each, which replaces what was there.
+template <NumericModel M>
+void finish_words(const TilePass<M>& pass, bool certain, std::uint32_t* words, TileMemory<M>& tile) {
+    auto& batch = tile.batch;
+    if (!certain) {
+        const auto& alpha = pass.bound.state.alpha_test;
+        const lanes::LateTests tests{alpha ? alpha->func : CompareFunc::always,
+                                     pass.bound.alpha_reference, pass.depth};
+        batch.size =
+            lanes::keep_survivors(tests, tile.depth.data(), batch.size, batch.places, words);
+    }
+    lanes::write_colors(batch.places, words, batch.size, tile.color, tile.stride);
+}
+
+/// Finishes shaded fragments in their order.
+template <NumericModel M>
+void finish_batch(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
+    auto& batch = tile.batch;
+    if constexpr (std::is_integral_v<typename M::Pixel>) {
+        if constexpr (lane_kind<M>() == LaneKind::reals) lanes::round_to_bytes(batch);
+        if (pass.bound.plain_write) {
+            if constexpr (lane_kind<M>() == LaneKind::reals)
+                return finish_words(pass, certain, batch.rounded.data(), tile);
+            else
+                return finish_words(pass, certain, batch.color.data(), tile);
+        }
+    }
+    for (std::size_t i = 0; i < batch.size; ++i) finish_fragment(pass, i, certain, tile);
+}
+
 /// Shades the batch's fragments and finishes them in their order.
-/// @param certain  they have passed the alpha test, and the depth test if the rule decides early
+/// @param certain  they have passed the alpha test, and the depth test if the rule decides early;
+///     otherwise they are of one triangle
 template <NumericModel M>
 void flush(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
     auto& batch = tile.batch;
     if (batch.size == 0) return;
     lanes::shade(pass.shader, batch);
-    if constexpr (lane_kind<M>() == LaneKind::reals && std::is_integral_v<typename M::Pixel>)
-        lanes::round_to_bytes(batch);
-    bool written = false;
-    if constexpr (lane_kind<M>() == LaneKind::bytes) {
-        written = certain && pass.bound.plain_write;
-        if (written) lanes::write_colors(batch, tile.color, tile.stride);
-    }
-    if (!written)
-        for (std::size_t i = 0; i < batch.size; ++i) finish_fragment(pass, i, certain, tile);
+    finish_batch(pass, certain, tile);
     batch.size = 0;
 }
 
