@@ -258,12 +258,18 @@ void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* 
     }
 }
 
+/// Whole vectors: a batch has room.
+HWY_INLINE void fill_vectors(std::uint32_t* words, std::size_t size, std::uint32_t value) {
+    const hn::RebindToUnsigned<DI> d;
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) hn::StoreU(hn::Set(d, value), d, words + i);
+}
+
 void interpolate_u8(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                     std::size_t count, ByteBatch& out) {
     place_bytes(t, c, s, count, out);
     std::uint32_t* const color = out.color.data() + out.size;
     if (c.one_color)
-        std::fill_n(color, count, packed_bytes(*c.colors[0]));
+        fill_vectors(color, count, packed_bytes(*c.colors[0]));
     else
         iterate_bytes(t, c, out.places.at.data() + out.size, count, color);
     out.size += count;

@@ -50,8 +50,11 @@ HWY_INLINE V at(const Plane& p, V x, V y) {
                    hn::Add(hn::Mul(x, hn::Set(d, p.dx)), hn::Mul(y, hn::Set(d, p.dy))));
 }
 
-/// A number below 2^31 in magnitude rounded to units of 2^-19, in the lower bits of a word.
-HWY_INLINE hn::Vec<U> fixed(V x) { return hn::BitCast(U(), hn::Add(x, hn::Set(D(), 0x1.8p33))); }
+/// A number below 2^31 in magnitude rounded to units of 2^-19, in the lower bits of a word, and one
+/// unit more.
+HWY_INLINE hn::Vec<U> fixed(V x) {
+    return hn::BitCast(U(), hn::Add(x, hn::Set(D(), 0x1.8p33 + 0x1p-19)));
+}
 
 /// The lower halves of the words of two vectors.
 HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
@@ -66,11 +69,10 @@ HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
 /// Whether the floors of two vectors of such numbers could be others' that are within 2^-21 of them.
 HWY_INLINE hn::Mask<DI> in_doubt(hn::Vec<U> low, hn::Vec<U> high) {
     const DI di;
-    const VI raised = hn::Add(lower_halves(low, high), hn::Set(di, 1));
-    return hn::Eq(hn::And(raised, hn::Set(di, 0x7fffe)), hn::Zero(di));
+    return hn::Eq(hn::And(lower_halves(low, high), hn::Set(di, 0x7fffe)), hn::Zero(di));
 }
 
-/// The floors of two vectors of such numbers.
+/// The floors of two vectors of such numbers that are not in doubt.
 HWY_INLINE VI floors(hn::Vec<U> low, hn::Vec<U> high) {
     return lower_halves(hn::ShiftRight<19>(low), hn::ShiftRight<19>(high));
 }

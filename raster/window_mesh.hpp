@@ -222,6 +222,7 @@ void append(WindowMesh<M>& mesh, const TriangleBlock<M>& block, std::size_t sets
     add(mesh.vertices, block.made.vertices);
     add(mesh.flags, block.made.flags);
     for (std::size_t k = 0; k < sets; ++k) add(mesh.coords[k], block.made.coords[k]);
+    if (block.made.vertices.empty()) return add(mesh.triangles, block.triangles);
     const auto renumbered = [&](std::uint32_t i) {
         return i < first_new_vertex ? i : i - first_new_vertex + first;
     };
