@@ -108,12 +108,14 @@ std::shared_ptr<FastState<M>> make_state(const M& m, const Frame& frame, FastOpt
     return state;
 }
 
+/// Other values than words are copied from the first ones on: copies use wider stores than fill_n.
 template <class T>
 void fill(T* first, std::size_t size, const T& value) {
-    if constexpr (std::is_same_v<T, std::uint32_t>)
-        lanes::fill(first, size, value);
-    else
-        std::fill_n(first, size, value);
+    if constexpr (std::is_same_v<T, std::uint32_t>) return lanes::fill(first, size, value);
+    std::size_t done = std::min<std::size_t>(size, 16);
+    std::fill_n(first, done, value);
+    for (; done < size; done += std::min(done, size - done))
+        std::copy_n(first, std::min(done, size - done), first + done);
 }
 
 template <NumericModel M>

@@ -223,7 +223,11 @@ void finish_batch(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
                 return finish_words(pass, certain, batch.color.data(), tile);
         }
     }
-    for (std::size_t i = 0; i < batch.size; ++i) finish_fragment(pass, i, certain, tile);
+    if (certain && pass.bound.plain_write)
+        for (std::size_t i = 0; i < batch.size; ++i)
+            tile.stored_at(static_cast<std::size_t>(batch.places.at[i])) = shaded_color(tile, i);
+    else
+        for (std::size_t i = 0; i < batch.size; ++i) finish_fragment(pass, i, certain, tile);
 }
 
 /// Shades the batch's fragments and finishes them in their order.

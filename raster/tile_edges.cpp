@@ -50,6 +50,12 @@ TileEdges edges_in_tile(const TriangleSetup& setup, const PixelRectangle& pixels
 }
 
 bool set_near_depth(const lanes::DepthRule& rule, lanes::Triangle& t) {
+    const auto in_range = [](double z) { return z >= 0.0 && z <= 1.0; };
+    if (t.dz1 == 0.0 && t.dz2 == 0.0) {
+        // The same everywhere, and as far from doubt as can be.
+        t.near_depth = {std::floor(t.z0 * rule.steps + rule.half) + 0.5, 0.0, 0.0};
+        return rule.steps < 0x1p24 && in_range(t.z0);
+    }
     const double columns = t.x1 - t.x0 + static_cast<int>(lanes::widest), rows = t.y1 - t.y0;
     const double per_unit = rule.steps / t.area;
     const auto weighted = [&](double lanes::Plane::*part) {
@@ -62,7 +68,6 @@ bool set_near_depth(const lanes::DepthRule& rule, lanes::Triangle& t) {
                (std::fabs(t.e[k].first) + std::fabs(t.e[k].dx) * columns +
                 std::fabs(t.e[k].dy) * rows);
     };
-    const auto in_range = [](double z) { return z >= 0.0 && z <= 1.0; };
     // Each rounding strays by 2^-53 of the largest term, and a row has up to 16 steps of a vector.
     return rule.steps < 0x1p24 && in_range(t.z0) && in_range(t.z0 + t.dz1) &&
            in_range(t.z0 + t.dz2) && largest(1, t.dz1) + largest(2, t.dz2) <= 0x1p27;

@@ -122,3 +122,21 @@ TEST_CASE("A depth plane that calls itself usable is within 2^-20 of a step of t
     CHECK(worst < 0x1p-20);
     CHECK(worst > 0.0);
 }
+
+TEST_CASE("Where all corners have one depth its plane is never in doubt", "[raster]") {
+    lanes::DepthRule rule;
+    rule.steps = 0xffffff;
+    rule.half = 0.5;
+    for (const double z : {0.0, 0.25, 0.5, 1.0}) {
+        lanes::Triangle t{};
+        t.z0 = z;
+        t.area = 1.0;
+        CHECK(set_near_depth(rule, t));
+        CHECK(t.near_depth.first == std::floor(z * 0xffffff + 0.5) + 0.5);
+        CHECK(t.near_depth.dx == 0.0);
+        CHECK(t.near_depth.dy == 0.0);
+    }
+    lanes::Triangle outside{};
+    outside.z0 = 1.5;
+    CHECK_FALSE(set_near_depth(rule, outside));
+}
