@@ -3,7 +3,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/finish_lanes.cpp"
 #include <hwy/foreach_target.h>
-
 #include <hwy/highway.h>
 
 #include "raster/lane_math-inl.hpp"
@@ -29,7 +28,8 @@ HWY_INLINE hn::Mask<DI> depth_tested(const DepthRule& rule, const double* z, VI 
                                      std::uint32_t* depth) {
     const DI d;
     auto* const stored = reinterpret_cast<std::int32_t*>(depth);
-    const auto whole = [](const double* p) HWY_ATTR { return hn::DemoteTo(I(), hn::LoadU(D(), p)); };
+    const auto whole = [](const double* p)
+                           HWY_ATTR { return hn::DemoteTo(I(), hn::LoadU(D(), p)); };
     const VI incoming = hn::Combine(d, whole(z + hn::Lanes(D())), whole(z));
     const VI old = hn::GatherIndex(d, stored, at);
     m = hn::And(m, passes(d, rule.func, incoming, old));

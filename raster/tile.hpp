@@ -198,7 +198,8 @@ void finish_fragment(const TilePass<M>& pass, std::size_t i, bool certain, TileM
 
 /// Finishes shaded fragments of one colour word each, which replaces what was there.
 template <NumericModel M>
-void finish_words(const TilePass<M>& pass, bool certain, std::uint32_t* words, TileMemory<M>& tile) {
+void finish_words(const TilePass<M>& pass, bool certain, std::uint32_t* words,
+                  TileMemory<M>& tile) {
     auto& batch = tile.batch;
     if (!certain) {
         const auto& alpha = pass.bound.state.alpha_test;

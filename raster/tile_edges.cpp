@@ -38,7 +38,7 @@ TileEdges edges_in_tile(const TriangleSetup& setup, const PixelRectangle& pixels
                                                           2 * lanes::tile_edge;
         if (reach >= std::int64_t{1} << (51 - fraction_bits)) out.usable = false;
         out.triangle.e[k] = {static_cast<double>(value), static_cast<double>(edge.a * one),
-                    static_cast<double>(edge.b * one)};
+                             static_cast<double>(edge.b * one)};
         // No branch: which edges cut the rectangle cannot be guessed.
         const std::int64_t cuts = inside.least < 0 ? -1 : 0;
         if ((reach & cuts) >= std::int64_t{1} << 31) out.usable = false;

@@ -8,8 +8,8 @@ namespace twofold {
 /// Edge functions from the first of the pixels to visit on.
 struct TileEdges {
     lanes::Triangle triangle;  ///< of which only `cover` and `e` are set
-    bool none_covered;  ///< no pixel has its centre inside
-    bool usable;        ///< all numbers are exact: 31 bits for coverage, 53 for doubled areas
+    bool none_covered;         ///< no pixel has its centre inside
+    bool usable;  ///< all numbers are exact: 31 bits for coverage, 53 for doubled areas
 };
 
 /// The edges of a triangle in a rectangle of pixels that lies in one tile.

@@ -191,7 +191,7 @@ FACTORS = [
 ]
 
 FAST = [
-    Mutant("fast-depth", "vectors let equal depths pass LESS", "raster/cover_lanes.cpp",
+    Mutant("fast-depth", "vectors let equal depths pass LESS", "raster/lane_math-inl.hpp",
            "case CompareFunc::less:\n            return hn::Lt(z, stored);",
            "case CompareFunc::less:\n            return hn::Not(hn::Lt(stored, z));", ("hashes",)),
     Mutant("fast-edge", "vectors leave out what lies on an edge", "raster/cover_lanes.cpp",
