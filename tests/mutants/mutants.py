@@ -193,7 +193,8 @@ FACTORS = [
 FAST = [
     Mutant("fast-depth", "vectors let equal depths pass LESS", "raster/lane_math-inl.hpp",
            "case CompareFunc::less:\n            return hn::Lt(z, stored);",
-           "case CompareFunc::less:\n            return hn::Not(hn::Lt(stored, z));", ("hashes",)),
+           "case CompareFunc::less:\n            return hn::Not(hn::Lt(stored, z));", ("hashes",),
+           also=("raster/cover_lanes.cpp", "raster/finish_lanes.cpp")),
     Mutant("fast-edge", "vectors leave out what lies on an edge", "raster/cover_lanes.cpp",
            "hn::Gt(e.outside(), hn::Set(d, -1))", "hn::Gt(e.outside(), hn::Zero(d))", ("hashes",)),
 ]
