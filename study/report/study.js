@@ -108,9 +108,9 @@ function share(value) {
 function frame_text(cell) {
   const times = cell.frameTimes;
   const [low, high] = times.processor.quartiles;
-  return `${seconds(cell.frame)} (measured ${seconds(times.processor.median)}, quartiles ` +
-         `${seconds(low)} to ${seconds(high)}, ${times.rounds} rounds; wall ` +
-         `${seconds(times.wall.median)})`;
+  return `${seconds(cell.frame)} (least of ${times.rounds} rounds ` +
+         `${seconds(times.processor.least)}, median ${seconds(times.processor.median)}, quartiles ` +
+         `${seconds(low)} to ${seconds(high)}; wall ${seconds(times.wall.median)})`;
 }
 
 function details(cell) {

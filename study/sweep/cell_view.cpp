@@ -34,7 +34,7 @@ std::optional<double> largest_of_fit(const Json& result, const char* field) {
 double anchor_seconds(const StudyResults& results) {
     std::vector<double> seconds;
     for (const auto& [id, result] : results.cells)
-        if (const auto s = number_at(result, {"times", "frame", "anchor_processor", "median"}))
+        if (const auto s = number_at(result, {"times", "frame", "anchor_processor", "least"}))
             seconds.push_back(*s);
     return seconds.empty() ? 0.0 : spread_of(std::move(seconds)).median;
 }

@@ -14,6 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A picture has up to 50 bytes a pixel in memory.
+constexpr std::size_t most_waiting_pixels = std::size_t{1} << 22;
+constexpr std::size_t most_waiting = 16;
+
 Json to_json(const CellErrors& e) {
     Json json = to_json(e.steps);
     json["real_rms_steps"] = e.real_rms_steps;
@@ -33,14 +37,17 @@ Json errors_json(const Framebuffer& picture, const std::shared_ptr<const Framebu
 
 Json to_json(const Seconds& s) { return {{"processor", s.processor}, {"wall", s.wall}}; }
 
-Json to_json(const Spread& s) { return {{"median", s.median}, {"quartiles", {s.low, s.high}}}; }
+Json to_json(const Spread& s) {
+    return {{"least", s.least}, {"median", s.median}, {"quartiles", {s.low, s.high}}};
+}
 
-Json to_json(const FrameTimes& t) {
-    return {{"rounds", t.rounds},
-            {"processor", to_json(t.processor)},
-            {"wall", to_json(t.wall)},
-            {"anchor_processor", to_json(t.anchor_processor)},
-            {"ratio_to_anchor", t.ratio}};
+/// The ratio is of least times: other work on the machine makes a frame slower, never quicker.
+Json frame_json(const TimedFrame& frame, const TimedFrame& common) {
+    return {{"rounds", frame.rounds()},
+            {"processor", to_json(frame.processor())},
+            {"wall", to_json(frame.wall())},
+            {"anchor_processor", to_json(common.processor())},
+            {"ratio_to_anchor", frame.processor().least / common.processor().least}};
 }
 
 Json to_json(const FrameWork& w) {
@@ -81,18 +88,24 @@ Json prediction_json(const Cell& cell, const FrameWork& work, const Frame& frame
 Laboratory::Laboratory(Cell anchor, int samples, TimingRule rule, int threads, StepListener listen)
     : anchor_(std::move(anchor)), rule_(rule), shared_(samples, threads, std::move(listen)) {}
 
-const Drawing& Laboratory::anchor_drawing() {
+TimedFrame& Laboratory::common_frame() {
     if (!anchor_drawing_) {
         anchor_inputs_ = shared_.inputs_of(anchor_).inputs;
         anchor_drawing_ = prepare(anchor_, anchor_inputs_);
     }
-    return *anchor_drawing_;
+    if (!common_) common_.emplace(anchor_drawing_->draw, rule_);
+    return *common_;
 }
 
-CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
+CellFindings Laboratory::measured(const Cell& cell) {
     const SharedWork::Inputs in = shared_.inputs_of(cell);
-    const Drawing drawing = prepare(cell, in.inputs);
-    const FrameTimes frame_times = time_frames(drawing.draw, anchor.draw, rule_);
+    Waiting& own = waiting_.emplace_back();
+    own.inputs = in.inputs;
+    own.drawing = prepare(cell, own.inputs);
+    own.time.emplace(own.drawing.draw, rule_);
+    common_frame().measure();
+    if (own.time->wants_more()) own.time->measure();
+    const Drawing& drawing = own.drawing;
     const Framebuffer picture = drawing.picture();
     const std::vector<bool> outline = shared_.outline_of(cell, in.inputs);
     Json result = settings_json(cell);
@@ -113,21 +126,40 @@ CellFindings Laboratory::measured(const Cell& cell, const Drawing& anchor) {
     result["times"] = {{"sampling", to_json(in.sampling)}, {"factoring", to_json(in.factoring)}};
     result["times"]["processor"] = processor_name();
     result["times"]["compiler"] = compiler_name();
-    result["times"]["frame"] = to_json(frame_times);
+    result["times"]["frame"] = frame_json(*own.time, common_frame());
+    waiting_pixels_ += picture.bytes.size();
     return {std::move(result), byte_image(picture)};
 }
 
 CellFindings Laboratory::measure(const Cell& cell) {
-    const Drawing& anchor = anchor_drawing();
+    common_frame();  // an error of the common cell's is the study's
+    const std::size_t waited = waiting_.size();
     try {
-        return measured(cell, anchor);
+        return measured(cell);
     } catch (const Error& e) {
+        waiting_.resize(waited);
         // A file that could not be read this time says nothing about the cell.
         if (e.code() == ExitCode::bad_file) throw;
         Json result = settings_json(cell);
         result["failed"] = e.what();
         return {std::move(result), {}};
     }
+}
+
+bool Laboratory::full() const {
+    return waiting_.size() >= most_waiting || waiting_pixels_ >= most_waiting_pixels;
+}
+
+std::vector<Json> Laboratory::time_in_turn() {
+    std::vector<TimedFrame*> frames;
+    for (Waiting& w : waiting_) frames.push_back(&*w.time);
+    twofold::time_in_turn(frames, common_frame());
+    std::vector<Json> times;
+    for (const TimedFrame* frame : frames) times.push_back(frame_json(*frame, common_frame()));
+    waiting_.clear();
+    waiting_pixels_ = 0;
+    common_.reset();
+    return times;
 }
 
 }  // namespace twofold

@@ -39,6 +39,47 @@ class TimeLeft {
     double spent_ = 0.0;
 };
 
+/// Measures cells and keeps what was found, each at once with the times of one round; then their
+/// frames are timed in turn, some cells at a time, and the results get those times.
+class Measuring {
+  public:
+    Measuring(const StudyPlan& plan, const CellStore& store, int threads, StepListener tell)
+        : store_(store),
+          tell_(tell),
+          laboratory_(plan.cells[plan.base].cell, plan.samples, plan.timing, threads, tell) {}
+
+    void measure(const PlannedCell& cell) {
+        CellFindings found;
+        own_seconds_ += seconds_of([&] { found = laboratory_.measure(cell.cell); }).wall;
+        store_.keep(cell.id, found);
+        if (laboratory_.waiting() > untimed_.size())
+            untimed_.emplace_back(cell.id, std::move(found.result));
+        if (laboratory_.full()) time_in_turn();
+    }
+
+    void time_in_turn() {
+        if (untimed_.empty()) return;
+        tell_(fmt::format("frames of {} cells in turn", untimed_.size()));
+        std::vector<nlohmann::ordered_json> times;
+        own_seconds_ += seconds_of([&] { times = laboratory_.time_in_turn(); }).wall;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            untimed_[i].second["times"]["frame"] = times[i];
+            store_.keep(untimed_[i].first, {std::move(untimed_[i].second), {}});
+        }
+        untimed_.clear();
+    }
+
+    /// Wall time of the cells' own work so far.
+    double own_seconds() const { return own_seconds_; }
+
+  private:
+    const CellStore& store_;
+    StepListener tell_;
+    Laboratory laboratory_;
+    std::vector<std::pair<std::string, nlohmann::ordered_json>> untimed_;  ///< id and result
+    double own_seconds_ = 0.0;
+};
+
 void measure_missing(const StudyPlan& plan, const std::vector<std::size_t>& missing,
                      const CellStore& store, int threads, const ProgressListener& listen,
                      StudyEffort& effort) {
@@ -47,18 +88,16 @@ void measure_missing(const StudyPlan& plan, const std::vector<std::size_t>& miss
         now.step = step;
         listen(now);
     };
-    Laboratory laboratory(plan.cells[plan.base].cell, plan.samples, plan.timing, threads, tell);
+    Measuring measuring(plan, store, threads, tell);
     TimeLeft left;
     for (const std::size_t i : missing) {
         now.seconds_left = left.guess(missing.size() - effort.measured);
         ++now.number;
         tell(place_of(plan, i));
-        CellFindings findings;
-        const double taken =
-            seconds_of([&] { findings = laboratory.measure(plan.cells[i].cell); }).wall;
-        store.keep(plan.cells[i].id, findings);
-        left.add(taken);
-        effort.cell_seconds += taken;
+        measuring.measure(plan.cells[i]);
+        if (i == missing.back()) measuring.time_in_turn();
+        left.add(measuring.own_seconds() - effort.cell_seconds);
+        effort.cell_seconds = measuring.own_seconds();
         ++effort.measured;
     }
 }

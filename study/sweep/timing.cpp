@@ -18,38 +18,6 @@ double processor_now() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A frame and what was measured of it.
-struct Measured {
-    const std::function<void()>& draw;
-    Seconds first;    ///< of the first time, which also warms up
-    int repeats = 1;  ///< draws a measurement
-    std::vector<double> processor{}, wall{};
-
-    explicit Measured(const std::function<void()>& frame) : draw(frame), first(seconds_of(frame)) {
-        const double wanted = std::ceil(least_measurement / std::max(first.processor, 1e-5));
-        repeats = std::max(1, static_cast<int>(wanted));
-    }
-    void keep(const Seconds& s, int frames) {
-        processor.push_back(s.processor / frames);
-        wall.push_back(s.wall / frames);
-    }
-    void measure() {
-        const Seconds s = seconds_of([&] {
-            for (int i = 0; i < repeats; ++i) draw();
-        });
-        keep(s, repeats);
-    }
-    int rounds() const { return static_cast<int>(wall.size()); }
-};
-
-FrameTimes summary_of(const Measured& own, const Measured& common) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < own.processor.size(); ++i)
-        ratios.push_back(own.processor[i] / common.processor[i]);
-    return {own.rounds(), spread_of(own.processor), spread_of(own.wall),
-            spread_of(common.processor), spread_of(ratios).median};
-}
-
 }  // namespace
 
 Seconds seconds_of(const std::function<void()>& work) {
@@ -63,26 +31,45 @@ Seconds seconds_of(const std::function<void()>& work) {
 Spread spread_of(std::vector<double> values) {
     std::stable_sort(values.begin(), values.end());
     const auto at = [&](std::size_t quarter) { return values[quarter * (values.size() - 1) / 4]; };
-    return {at(2), at(1), at(3)};
+    return {at(0), at(2), at(1), at(3)};
 }
 
-FrameTimes time_frames(const std::function<void()>& draw, const std::function<void()>& anchor,
-                       const TimingRule& rule) {
-    Measured own(draw), common(anchor);
-    if (own.first.wall > rule.long_frame) {
-        own.keep(own.first, 1);
+TimedFrame::TimedFrame(std::function<void()> draw, const TimingRule& rule)
+    : draw_(std::move(draw)), rule_(rule) {
+    const Seconds first = seconds_of(draw_);
+    long_ = first.wall > rule.long_frame;
+    if (long_) keep(first, 1);
+    const double wanted = std::ceil(least_measurement / std::max(first.processor, 1e-5));
+    repeats_ = std::max(1, static_cast<int>(wanted));
+}
+
+void TimedFrame::keep(const Seconds& s, int frames) {
+    processor_.push_back(s.processor / frames);
+    wall_.push_back(s.wall / frames);
+    spent_ += s.wall;
+}
+
+void TimedFrame::measure() {
+    const Seconds s = seconds_of([&] {
+        for (int i = 0; i < repeats_; ++i) draw_();
+    });
+    keep(s, repeats_);
+}
+
+bool TimedFrame::wants_more() const {
+    return !long_ && rounds() < rule_.most_rounds &&
+           (spent_ < rule_.seconds || rounds() < rule_.least_rounds);
+}
+
+void time_in_turn(const std::vector<TimedFrame*>& frames, TimedFrame& common) {
+    std::vector<TimedFrame*> wanting = frames;
+    const auto done = [](const TimedFrame* frame) { return !frame->wants_more(); };
+    while (true) {
+        wanting.erase(std::remove_if(wanting.begin(), wanting.end(), done), wanting.end());
+        if (wanting.empty()) return;
         common.measure();
-        return summary_of(own, common);
+        for (TimedFrame* frame : wanting) frame->measure();
     }
-    double spent = 0.0;
-    while (own.rounds() < rule.most_rounds &&
-           (spent < rule.seconds || own.rounds() < rule.least_rounds)) {
-        const bool own_first = own.rounds() % 2 == 0;
-        (own_first ? own : common).measure();
-        (own_first ? common : own).measure();
-        spent += own.wall.back() * own.repeats;
-    }
-    return summary_of(own, common);
 }
 
 }  // namespace twofold

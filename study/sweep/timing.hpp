@@ -13,9 +13,9 @@ struct Seconds {
 /// What `work` takes, once.
 Seconds seconds_of(const std::function<void()>& work);
 
-/// Median and quartiles of repeated measurements.
+/// Least value, median and quartiles of repeated measurements.
 struct Spread {
-    double median = 0.0, low = 0.0, high = 0.0;
+    double least = 0.0, median = 0.0, low = 0.0, high = 0.0;
 };
 
 /// @param values at least one
@@ -23,24 +23,41 @@ Spread spread_of(std::vector<double> values);
 
 /// How often frames are drawn to be timed.
 struct TimingRule {
-    double seconds = 0.4;  ///< rounds go on until the frames alone have taken so long
-    int least_rounds = 5;
+    double seconds = 0.4;  ///< rounds go on until the frame alone has taken so long
+    int least_rounds = 15;
     int most_rounds = 25;
     double long_frame = 1.0;  ///< a frame that takes longer, seconds, is drawn once
 };
 
-/// Times of one frame, and of the study's common frame that was drawn in turn with it.
-struct FrameTimes {
-    int rounds = 0;
-    Spread processor, wall;   ///< seconds a frame
-    Spread anchor_processor;  ///< of the common frame
-    double ratio = 0.0;       ///< median over the rounds of processor time over the common frame's:
-                              ///< what slows both, cancels
+/// A frame that is timed in turn with others.
+class TimedFrame {
+  public:
+    /// Draws it once, which also warms up; of a long frame this is the measurement.
+    TimedFrame(std::function<void()> draw, const TimingRule& rule);
+
+    /// One round more: a frame shorter than some milliseconds is drawn several times.
+    void measure();
+
+    /// Whether the rule asks for another round.
+    bool wants_more() const;
+
+    int rounds() const { return static_cast<int>(wall_.size()); }
+    Spread processor() const { return spread_of(processor_); }  ///< seconds a frame
+    Spread wall() const { return spread_of(wall_); }            ///< seconds a frame
+
+  private:
+    void keep(const Seconds& s, int frames);
+
+    std::function<void()> draw_;
+    TimingRule rule_;
+    bool long_ = false;
+    int repeats_ = 1;     ///< draws a measurement
+    double spent_ = 0.0;  ///< wall time of all measurements
+    std::vector<double> processor_, wall_;
 };
 
-/// Draws both in turn, the first of a round being the second of the next. Frames shorter than some
-/// milliseconds are drawn several times a measurement.
-FrameTimes time_frames(const std::function<void()>& draw, const std::function<void()>& anchor,
-                       const TimingRule& rule);
+/// Rounds of the common frame and then each frame that wants more, until none does. What slows the
+/// machine for a while slows a round of all, and not all rounds of one.
+void time_in_turn(const std::vector<TimedFrame*>& frames, TimedFrame& common);
 
 }  // namespace twofold

@@ -59,22 +59,22 @@ TEST_CASE("a power law's exponent and a halving's rate are found from their poin
     CHECK_FALSE(fitted_doublings(std::vector<CurvePoint>{{1, 1}, {2, -1}}));
 }
 
-TEST_CASE("median and quartiles are the values at a half and the quarters of the order") {
+TEST_CASE("least, median and quartiles are values by their place in the order") {
     const Spread s = spread_of({5, 1, 4, 2, 3});
     CHECK(s.median == 3.0);
     CHECK(s.low == 2.0);
     CHECK(s.high == 4.0);
+    CHECK(s.least == 1.0);
     CHECK(spread_of({7}).high == 7.0);
 }
 
-TEST_CASE("frames are timed in turn with the common one, which goes first every other round") {
+TEST_CASE("frames are timed in turn, the common one first, each as often as it wants") {
     std::string order;
-    const auto busy = [&order](char name) {
-        return [&order, name] {
+    const auto busy = [&order](char name, double least) {
+        return [&order, name, least] {
             order += name;
-            const double until = 0.009;
             double spent = 0.0;
-            while (spent < until)
+            while (spent < least)
                 spent += seconds_of([] {
                              std::vector<double> work(1000, 1.0);
                              for (double& w : work) w = std::sqrt(w + 1.0);
@@ -82,14 +82,30 @@ TEST_CASE("frames are timed in turn with the common one, which goes first every 
                          1e-9;
         };
     };
-    const TimingRule rule{.seconds = 0.0, .least_rounds = 4, .most_rounds = 9, .long_frame = 5.0};
-    const FrameTimes times = time_frames(busy('c'), busy('a'), rule);
-    CHECK(order == "cacaaccaac");  // once each to warm up, then four rounds
-    CHECK(times.rounds == 4);
-    CHECK(times.processor.low <= times.processor.median);
-    CHECK(times.ratio > 0.0);
+    const TimingRule thrice{.seconds = 0.0, .least_rounds = 3, .most_rounds = 9, .long_frame = 5.0};
+    const TimingRule by_time{
+        .seconds = 5.0, .least_rounds = 1, .most_rounds = 2, .long_frame = 5.0};
+    const TimingRule long_ones{
+        .seconds = 5.0, .least_rounds = 4, .most_rounds = 9, .long_frame = 0.0};
+    TimedFrame common(busy('a', 0.009), thrice), slow(busy('s', 0.02), thrice),
+        other(busy('o', 0.009), by_time), once(busy('l', 0.009), long_ones);
+    CHECK(order == "asol");  // once each to warm up
     order.clear();
-    const FrameTimes once = time_frames(busy('c'), busy('a'), {0.0, 4, 9, 0.0});
-    CHECK(order == "caa");
-    CHECK(once.rounds == 1);
+    time_in_turn({&slow, &once, &other}, common);
+    CHECK(order == "asoasoas");
+    CHECK(once.rounds() == 1);
+    CHECK(other.rounds() == 2);
+    CHECK(common.rounds() == 3);
+    CHECK(slow.processor().least >= 0.02);
+    CHECK(slow.processor().least <= slow.processor().low);
+    CHECK(slow.wall().low <= slow.wall().median);
+}
+
+TEST_CASE("a frame of less than some milliseconds is drawn several times a measurement") {
+    int drawn = 0;
+    TimedFrame frame([&] { ++drawn; }, {});
+    drawn = 0;
+    frame.measure();
+    CHECK(drawn == 800);  // 8 ms of what a frame of 10 us or less is taken for
+    CHECK(frame.processor().median < 1e-3);
 }
