@@ -242,4 +242,12 @@ inline Frame fan_frame() {
     return frame;
 }
 
+/// A mesh of the given triangles as the only pass of a 64 x 64 picture that counts coverage.
+inline Framebuffer counted(const std::vector<Vec3>& positions, Preset preset,
+                           PassState state = {}) {
+    state.color = counting_state().color;
+    state.blend = counting_state().blend;
+    return render_reference(pixel_frame(64, 64, triangles(positions), state), preset);
+}
+
 }  // namespace twofold::test
