@@ -117,7 +117,7 @@ const typename M::Channel* common_alpha(const WindowMesh<M>& mesh, const MeshTri
 }
 
 /// The outcome where the units' alphas are known: a zero makes the product 0, ones leave the
-/// triangle's own alpha.
+/// triangle's own alpha, or what a preset makes of that times 1.
 template <NumericModel M>
 AlphaOutcome alpha_outcome(const BoundPass<M>& pass, std::span<const AlphaKnown> units,
                            const WindowMesh<M>& mesh, const MeshTriangle& triangle) {
@@ -133,7 +133,11 @@ AlphaOutcome alpha_outcome(const BoundPass<M>& pass, std::span<const AlphaKnown>
     }
     if (!all_one) return AlphaOutcome::open;
     const auto* const own = common_alpha(mesh, triangle);
-    return own ? decided(*own) : AlphaOutcome::open;
+    if (!own) return AlphaOutcome::open;
+    auto alpha = *own;
+    for (const BoundUnit<M>& unit : pass.units)
+        if (has_alpha(unit.texture->base_format)) alpha = pass.m.modulate(pass.m.one(), alpha);
+    return decided(alpha);
 }
 
 /// The alpha lookups of a group's passes, each once, and which of them a pass's units make.
@@ -159,8 +163,7 @@ void add_pass(GroupAlpha<M>& group, const BoundPass<M>& pass,
               const std::array<std::size_t, max_units>& set_of) {
     auto& units = group.of_pass.emplace_back();
     group.outcomes.emplace_back();
-    if (lane_kind<M>() == LaneKind::none || !pass.state.alpha_test || !multiplies_alpha(pass))
-        return;
+    if (!pass.state.alpha_test || !multiplies_alpha(pass)) return;
     for (const BoundUnit<M>& unit : pass.units) {
         units.push_back(GroupAlpha<M>::none);
         if (!alpha_is_bounded(unit)) continue;

@@ -38,24 +38,25 @@ struct FastState {
 };
 
 template <NumericModel M>
-lanes::Shader<LaneTexel<M>> make_shader(FastState<M>& state, const BoundPass<M>& pass) {
-    lanes::Shader<LaneTexel<M>> shader{};
+LaneShader<M> make_shader(FastState<M>& state, const BoundPass<M>& pass) {
+    LaneShader<M> shader{};
+    if constexpr (lane_kind<M>() == LaneKind::rounded) shader.rounding = rounding_of(pass.m);
     for (const BoundUnit<M>& unit : pass.units) {
-        state.images.push_back(surrounded<M>(unit.texture->levels[0], unit));
+        state.images.push_back(surrounded(pass.m, unit));
         shader.unit[shader.units++] = lane_unit<M>(unit, state.images.back().data());
     }
     return shader;
 }
 
 template <NumericModel M>
-lanes::DepthRule depth_rule(const PassState& state, int depth_bits) {
+lanes::DepthRule depth_rule(const M& m, const PassState& state, int depth_bits) {
     lanes::DepthRule rule;
     if (!state.depth_test) return rule;
     rule.computed = true;
     rule.func = state.depth_test->func;
     rule.write = state.depth_test->write;
-    rule.steps = static_cast<double>((std::uint64_t{1} << depth_bits) - 1);
-    rule.half = lane_kind<M>() == LaneKind::reals ? 0.5 : 0.0;
+    rule.steps = static_cast<double>(m.depth(1.0, depth_bits));
+    rule.half = M::is_integer ? 0.0 : 0.5;
     return rule;
 }
 
@@ -66,7 +67,7 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
     const PassState normal = normalized(frame, frame.passes[pass]);
     BoundPass<M> bound = twofold::bind(state.m, normal, frame.color_format, state.textures, state.white);
     const bool known = lanes_know<M>(bound);
-    auto shader = known ? make_shader(state, bound) : lanes::Shader<LaneTexel<M>>{};
+    auto shader = known ? make_shader(state, bound) : LaneShader<M>{};
     unsigned bounded_sets = 0, far_q_sets = 0;
     for (const BoundUnit<M>& unit : bound.units) {
         bounded_sets |= 1u << set_of[unit.index];
@@ -82,7 +83,7 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
             bounded_sets,
             far_q_sets,
             shader,
-            depth_rule<M>(normal, frame.depth_bits)};
+            depth_rule(state.m, normal, frame.depth_bits)};
 }
 
 template <NumericModel M>
@@ -173,13 +174,11 @@ void draw_tile(FastState<M>& state, std::size_t number) {
     for (std::uint32_t k = state.bins.first[number]; k < state.bins.first[number + 1]; ++k) {
         const BinEntry& entry = state.bins.entries[k];
         const TilePass<M>& pass = state.passes[entry.pass];
-        if constexpr (lane_kind<M>() != LaneKind::none)
-            if (drawing && drawing != &pass) flush(*drawing, true, *tile);
+        if (drawing && drawing != &pass) flush(*drawing, true, *tile);
         drawing = &pass;
         draw_entry(pass, entry, area, *tile);
     }
-    if constexpr (lane_kind<M>() != LaneKind::none)
-        if (drawing) flush(*drawing, true, *tile);
+    if (drawing) flush(*drawing, true, *tile);
     state.pool.give_back(std::move(tile));
 }
 

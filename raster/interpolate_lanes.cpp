@@ -33,8 +33,6 @@ Reach reach_of(const Triangle& t) {
     return reach;
 }
 
-/// Four numbers side by side, on one vector or more.
-using Four = hn::CappedTag<double, 4>;
 struct FourPlanes {
     alignas(32) std::array<double, 4> first, dx, dy;
 
@@ -233,17 +231,9 @@ void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* 
                    std::size_t count, std::uint32_t* out) {
     const D d;
     const I di;
-    const V steps = hn::Set(d, 256.0);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const Weights<D> w = weights_at(d, t, at + i);
-        V l0 = w.e0, l2 = w.e2, sum = hn::Set(d, t.area);
-        if (!t.equal_w) {
-            l0 = hn::Mul(w.e0, hn::Set(d, t.inverse_w[0]));
-            l2 = hn::Mul(w.e2, hn::Set(d, t.inverse_w[2]));
-            sum = hn::Add(hn::Add(l0, hn::Mul(w.e1, hn::Set(d, t.inverse_w[1]))), l2);
-        }
-        const auto n0 = hn::DemoteTo(di, hn::Div(hn::Mul(steps, l0), sum));
-        const auto n2 = hn::DemoteTo(di, hn::Div(hn::Mul(steps, l2), sum));
+        const EndWeights w = end_weights(t, at + i);
+        const auto n0 = hn::DemoteTo(di, w.n0), n2 = hn::DemoteTo(di, w.n2);
         const auto n1 = hn::Sub(hn::Sub(hn::Set(di, 256), n0), n2);
         const auto channel = [&](std::size_t k) HWY_ATTR {
             const auto value = hn::Add(hn::Add(hn::Mul(n0, hn::Set(di, (*c.colors[0])[k])),

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "raster/bind.hpp"
-#include "raster/lanes.hpp"
+#include "raster/lane_rounding.hpp"
 
 /// Textures as the vector loops read them.
 namespace twofold {
 
-/// How a model's fragments are computed on vectors.
-enum class LaneKind { none, bytes, reals };
+/// How a model's fragments are computed on vectors: in bytes, in real numbers, or in integers that
+/// binary64 holds.
+enum class LaneKind { bytes, reals, rounded };
 
 template <NumericModel M>
 constexpr LaneKind lane_kind() {
@@ -23,22 +24,34 @@ constexpr LaneKind lane_kind() {
         case Preset::float32:
         case Preset::ideal64:
             return LaneKind::reals;
-        default:
-            return LaneKind::none;
+        case Preset::coarse8:
+        case Preset::custom:
+            break;
     }
+    return LaneKind::rounded;
 }
 
 /// A texel with its four channels side by side: a word of bytes, red lowest, or four numbers.
 template <NumericModel M>
-using LaneTexel = std::conditional_t<lane_kind<M>() == LaneKind::reals, Color<typename M::Real>,
-                                     std::uint32_t>;
+using LaneTexel = std::conditional_t<lane_kind<M>() == LaneKind::bytes, std::uint32_t,
+                                     Color<typename M::Real>>;
 
 template <NumericModel M>
-LaneTexel<M> lane_texel(const Color<typename M::Channel>& c) {
-    if constexpr (lane_kind<M>() == LaneKind::reals)
-        return c;
-    else
+using LaneShader = std::conditional_t<lane_kind<M>() == LaneKind::rounded, lanes::RoundedShader,
+                                      lanes::Shader<LaneTexel<M>>>;
+
+/// @param has_alpha  of its texture; without, MODULATE leaves alpha alone
+template <NumericModel M>
+LaneTexel<M> lane_texel(const M& m, const Color<typename M::Channel>& c, bool has_alpha) {
+    if constexpr (lane_kind<M>() == LaneKind::bytes) {
         return packed_bytes(c);
+    } else if constexpr (lane_kind<M>() == LaneKind::reals) {
+        return c;
+    } else {
+        const double alpha = has_alpha ? c[3] : rounding_of(m).product.identity;
+        return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]),
+                alpha};
+    }
 }
 
 /// The texel index at a place of -1 to size + 1 along one axis, or a border's.
@@ -46,17 +59,21 @@ inline int surrounding_index(int place, int size, Wrap wrap) {
     return wrap == Wrap::repeat ? (place + size) % size : wrap_index(place, size, wrap);
 }
 
-/// The image with its surroundings as one unit's wrap modes and border see them (lanes::Image).
+/// A unit's image with its surroundings as its wrap modes and border see them (lanes::Image).
 template <NumericModel M>
-std::vector<LaneTexel<M>> surrounded(const UploadedImage<M>& image, const BoundUnit<M>& unit) {
+std::vector<LaneTexel<M>> surrounded(const M& m, const BoundUnit<M>& unit) {
+    const UploadedImage<M>& image = unit.texture->levels[0];
+    const bool alpha = has_alpha(unit.texture->base_format);
     std::vector<LaneTexel<M>> texels;
     texels.reserve(static_cast<std::size_t>(image.width + 3) *
                    static_cast<std::size_t>(image.height + 3));
     for (int j = -1; j <= image.height + 1; ++j)
         for (int i = -1; i <= image.width + 1; ++i)
-            texels.push_back(lane_texel<M>(
+            texels.push_back(lane_texel(
+                m,
                 fetch<M>(image, surrounding_index(i, image.width, unit.state.wrap_s),
-                         surrounding_index(j, image.height, unit.state.wrap_t), unit.border)));
+                         surrounding_index(j, image.height, unit.state.wrap_t), unit.border),
+                alpha));
     return texels;
 }
 
@@ -95,8 +112,9 @@ std::string why_not_on_lanes(const BoundUnit<M>& unit) {
 /// What of a pass keeps vectors from shading its fragments; empty if nothing does.
 template <NumericModel M>
 std::string why_not_on_lanes(const BoundPass<M>& pass) {
-    if (lane_kind<M>() == LaneKind::none)
-        return "preset " + std::string(name_of(M::preset)) + " has no vectors";
+    if constexpr (lane_kind<M>() == LaneKind::rounded)
+        if (!filter_is_exact(rounding_of(pass.m)))
+            return "filter_rounding once with weights and registers wider than binary64";
     if (pass.combiners) return "register combiners";
     if (pass.state.color_sum) return "colour sum";
     if (pass.state.fog) return "fog";

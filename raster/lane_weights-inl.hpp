@@ -18,6 +18,9 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// Four numbers side by side, on one vector or more.
+using Four = hn::CappedTag<double, 4>;
+
 /// Doubled areas at some pixels, or what coordinates are weighed by.
 template <class R>
 struct Weights {
@@ -60,6 +63,23 @@ HWY_INLINE Weights<R> over_w(R r, const Triangle& t, const Weights<R>& w) {
         return hn::Set(r, static_cast<hn::TFromD<R>>(t.inverse_w[k]));
     };
     return {hn::Mul(w.e0, over(0)), hn::Mul(w.e1, over(1)), hn::Mul(w.e2, over(2))};
+}
+
+/// 256 times the weights of the first and the third vertex in Nv17::iterate_color, not yet cut.
+struct EndWeights {
+    V n0, n2;
+};
+
+HWY_INLINE EndWeights end_weights(const Triangle& t, const std::int32_t* places) {
+    const D d;
+    const V steps = hn::Set(d, 256.0);
+    Weights<D> w = areas_at(t, places);
+    V sum = hn::Set(d, t.area);
+    if (!t.equal_w) {
+        w = over_w(d, t, w);
+        sum = hn::Add(hn::Add(w.e0, w.e1), w.e2);
+    }
+    return {hn::Div(hn::Mul(steps, w.e0), sum), hn::Div(hn::Mul(steps, w.e2), sum)};
 }
 
 /// coordinate_weights() of interpolate.hpp.

@@ -122,6 +122,27 @@ struct Shader {
     std::array<Unit<Texel>, lane_units> unit;
 };
 
+/// How a preset of integers rounds. Its numbers have at most 24 bits and the filter's weights 16, so
+/// that binary64 holds sums and products exactly until they are rounded.
+struct Rounding {
+    bool cuts_colors;     ///< colours are iterated as Coarse8's, else as Nv17's
+    double weight_steps;  ///< the filter's weights are cut to 1 / weight_steps
+    bool filters_once;    ///< the four weights at once, else along s, then along t
+    double filter_half;   ///< added before the filter cuts
+    struct Quotient {
+        double add, factor;
+        double identity;  ///< the b that leaves a alone; not 1.0 everywhere
+    } product;            ///< a b becomes floor((a b + add) factor)
+    double one;  ///< 1.0 in the texture units
+    /// A colour c becomes c finish_factor, then floor(that + finish_half) if it rounds.
+    double finish_factor, finish_half;
+    bool finish_rounds;
+};
+
+struct RoundedShader : Shader<Color<double>> {
+    Rounding rounding;
+};
+
 /// What a triangle's corners carry into interpolation, where the mesh keeps it.
 template <class Real, class Channel>
 struct Corners {
@@ -161,10 +182,16 @@ void interpolate(const Triangle& t, const RealCorners<double>& c, const Shader<C
 void interpolate(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
                  std::size_t count, RealBatch<float>& out);
 
-/// Looks textures up and combines them with the colours. Real ones are limited to [0, 1].
+/// The same for a preset of integers, which the batch holds as real numbers.
+void interpolate(const Triangle& t, const ByteCorners& c, const RoundedShader& s,
+                 std::size_t count, RealBatch<double>& out);
+
+/// Looks textures up and combines them with the colours. Real ones are limited to [0, 1], rounded
+/// ones to [0, 255].
 void shade(const Shader<std::uint32_t>& s, ByteBatch& batch);
 void shade(const Shader<Color<double>>& s, RealBatch<double>& batch);
 void shade(const Shader<Color<float>>& s, RealBatch<float>& batch);
+void shade(const RoundedShader& s, RealBatch<double>& batch);
 
 /// Of `size` shaded fragments, no two of one pixel, moves those that pass the tests to the front,
 /// writes their depth, and returns their number. Words of colours have alpha highest.
@@ -175,8 +202,8 @@ std::size_t keep_survivors(const LateTests& tests, std::uint32_t* depth, std::si
 void write_colors(const BatchPlaces& places, const std::uint32_t* words, std::size_t size,
                   std::uint32_t* tile, std::size_t stride);
 
-/// The fragments' shaded colours as bytes: floor(255 x + 1/2).
-void round_to_bytes(RealBatch<double>& batch);
+/// The fragments' shaded colours as bytes: floor(factor x + 1/2).
+void round_to_bytes(double factor, RealBatch<double>& batch);
 
 /// The name of the instruction set that was chosen.
 const char* instruction_set();

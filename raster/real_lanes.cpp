@@ -8,69 +8,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/lane_weights-inl.hpp"
+#include "raster/lane_reals-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
-
-template <class Real>
-using Wide = hn::ScalableTag<Real>;
-
-/// Colours lie fragment by fragment, so that a vector holds as many fragments' four channels, or as
-/// many channels of one fragment.
-template <class Real>
-inline constexpr std::size_t channels_at_once = HWY_MIN(hn::MaxLanes(Wide<Real>()), 4);
-template <class Real>
-inline constexpr std::size_t fragments_at_once = HWY_MAX(hn::MaxLanes(Wide<Real>()) / 4, 1);
-
-// ----------------------------------------------------------------------------------- interpolation
-
-template <class Real>
-void place_reals(const Triangle& t, const RealCorners<Real>& c, const Shader<Color<Real>>& s,
-                 std::size_t count, RealBatch<Real>& out) {
-    using R = Wide<Real>;
-    const R r;
-    const hn::Rebind<std::int32_t, R> ints;
-    const std::array<Addresses<R>, lane_units> in{Addresses<R>(r, s.unit[0]),
-                                                  Addresses<R>(r, s.unit[1])};
-    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(r)) {
-        const Weights<R> w = coordinate_weights(r, t, c, out.places.at.data() + i);
-        for (std::size_t u = 0; u < s.units; ++u) {
-            const Footprint<R> f = footprint(r, in[u], coordinates_at(r, c, u, w));
-            hn::StoreU(f.offset, ints, out.offset[u].data() + i);
-            hn::StoreU(f.a, r, out.a[u].data() + i);
-            hn::StoreU(f.b, r, out.b[u].data() + i);
-        }
-    }
-}
-
-/// RealModel::iterate_color, the four channels of a fragment side by side.
-template <class Real>
-void iterate_reals(const Triangle& t, const RealCorners<Real>& c, const std::int32_t* at,
-                   std::size_t size, Color<Real>* out) {
-    const Wide<Real> r;
-    const hn::CappedTag<Real, 4> four;
-    alignas(64) Real l1[hn::MaxLanes(r)], l2[hn::MaxLanes(r)], sum[hn::MaxLanes(r)];
-    for (std::size_t i = 0; i < size; i += hn::Lanes(r)) {
-        const auto l = over_w(r, t, weights_at(r, t, at + i));
-        hn::StoreU(l.e1, r, l1);
-        hn::StoreU(l.e2, r, l2);
-        hn::StoreU(hn::Add(hn::Add(l.e0, l.e1), l.e2), r, sum);
-        const std::size_t count = HWY_MIN(hn::Lanes(r), size - i);
-        for (std::size_t k = 0; k < count; ++k)
-            for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
-                const auto c0 = hn::LoadU(four, c.colors[0]->data() + ch);
-                const auto d1 = hn::Sub(hn::LoadU(four, c.colors[1]->data() + ch), c0);
-                const auto d2 = hn::Sub(hn::LoadU(four, c.colors[2]->data() + ch), c0);
-                const auto more =
-                    hn::Add(hn::Mul(hn::Set(four, l1[k]), d1), hn::Mul(hn::Set(four, l2[k]), d2));
-                hn::StoreU(hn::Add(c0, hn::Div(more, hn::Set(four, sum[k]))), four,
-                           out[i + k].data() + ch);
-            }
-    }
-}
 
 template <class Real>
 void interpolate_reals(const Triangle& t, const RealCorners<Real>& c, const Shader<Color<Real>>& s,
@@ -84,125 +27,36 @@ void interpolate_reals(const Triangle& t, const RealCorners<Real>& c, const Shad
     out.size += count;
 }
 
-// ----------------------------------------------------------------------------------------- shading
-
-/// Texels of as many fragments as a vector holds, from `channel` on.
-template <class R>
-HWY_INLINE hn::Vec<R> texels_at(R r, const Color<hn::TFromD<R>>* texels, const std::int32_t* at,
-                                std::size_t channel) {
-    constexpr std::size_t lanes = hn::MaxLanes(R());
-    if constexpr (lanes <= 4) {
-        return hn::LoadU(r, texels[*at].data() + channel);
-    } else {
-        const hn::CappedTag<hn::TFromD<R>, lanes / 2> half;
-        return hn::Combine(r, texels_at(half, texels, at + lanes / 8, channel),
-                           texels_at(half, texels, at, channel));
-    }
-}
-
-/// A number of each fragment for all of its channels.
-template <class R>
-HWY_INLINE hn::Vec<R> for_channels(R r, const hn::TFromD<R>* p) {
-    using Index = hn::TFromD<hn::RebindToSigned<R>>;
-    if constexpr (hn::MaxLanes(R()) <= 4) {
-        return hn::Set(r, *p);
-    } else {
-        constexpr std::array<Index, 16> fragment{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-        return TableLookupLanes(hn::LoadU(r, p), SetTableIndices(r, fragment.data()));
-    }
-}
-
-/// RealModel::filter.
-template <class R>
-HWY_INLINE hn::Vec<R> filtered(R r, const Image<Color<hn::TFromD<R>>>& image,
-                               const std::int32_t* at, hn::Vec<R> a, hn::Vec<R> b,
-                               std::size_t channel) {
-    const auto texel = [&](int more)
-                           HWY_ATTR { return texels_at(r, image.texels + more, at, channel); };
-    const auto one = hn::Set(r, hn::TFromD<R>{1});
-    const auto na = hn::Sub(one, a), nb = hn::Sub(one, b);
-    const auto row0 = hn::Add(hn::Mul(na, texel(0)), hn::Mul(a, texel(1)));
-    const auto row1 =
-        hn::Add(hn::Mul(na, texel(image.stride)), hn::Mul(a, texel(image.stride + 1)));
-    return hn::Add(hn::Mul(nb, row0), hn::Mul(b, row1));
-}
-
-/// Factors and limits of MODULATE's scales. A channel that is not scaled is not limited either.
+/// RealModel on vectors.
 template <class Real>
-struct Scales {
-    static constexpr std::size_t room = HWY_MAX(hn::MaxLanes(Wide<Real>()), 4);
-    std::array<Real, room> factor, least, most;
-    bool needed;
-
-    explicit Scales(const Unit<Color<Real>>& unit)
-        : needed(unit.rgb_scale != 1 || unit.alpha_scale != 1) {
-        constexpr Real all = hwy::HighestValue<Real>();
-        for (std::size_t k = 0; k < room; ++k) {
-            const int scale = k % 4 < 3 ? unit.rgb_scale : unit.alpha_scale;
-            factor[k] = static_cast<Real>(scale);
-            least[k] = scale == 1 ? -all : Real{0};
-            most[k] = scale == 1 ? all : Real{1};
-        }
-    }
+struct RealArithmetic {
+    static constexpr Real one() { return Real{1}; }
 
     template <class R>
-    HWY_INLINE hn::Vec<R> scaled(R r, hn::Vec<R> c, std::size_t channel) const {
-        const auto raised = hn::Mul(c, hn::LoadU(r, factor.data() + channel));
-        return hn::Min(hn::Max(raised, hn::LoadU(r, least.data() + channel)),
-                       hn::LoadU(r, most.data() + channel));
+    static HWY_INLINE hn::Vec<R> filter(R r, const Quad<R>& t, hn::Vec<R> a, hn::Vec<R> b) {
+        const auto na = hn::Sub(hn::Set(r, one()), a), nb = hn::Sub(hn::Set(r, one()), b);
+        const auto row0 = hn::Add(hn::Mul(na, t.t00), hn::Mul(a, t.t10));
+        const auto row1 = hn::Add(hn::Mul(na, t.t01), hn::Mul(a, t.t11));
+        return hn::Add(hn::Mul(nb, row0), hn::Mul(b, row1));
+    }
+    template <class R>
+    static HWY_INLINE hn::Vec<R> modulate(R, hn::Vec<R> a, hn::Vec<R> b) {
+        return hn::Mul(a, b);
+    }
+    template <class R>
+    static HWY_INLINE hn::Vec<R> finish(R r, hn::Vec<R> c) {
+        return clamped(r, c, one());
     }
 };
 
-/// What unit u makes of the colours of the fragments from i on.
-template <class R, class Batch>
-HWY_INLINE hn::Vec<R> combined(R r, const Unit<Color<hn::TFromD<R>>>& unit,
-                               const Scales<hn::TFromD<R>>& scales, const Batch& batch,
-                               std::size_t u, std::size_t i, std::size_t channel,
-                               hn::Vec<R> previous) {
-    const std::int32_t* const at = batch.offset[u].data() + i;
-    const auto texel = unit.linear
-                           ? filtered(r, unit.image, at, for_channels(r, batch.a[u].data() + i),
-                                      for_channels(r, batch.b[u].data() + i), channel)
-                           : texels_at(r, unit.image.texels, at, channel);
-    if (unit.replace) return texel;
-    const auto c = hn::Mul(texel, previous);
-    return scales.needed ? scales.scaled(r, c, channel) : c;
-}
-
-/// RealModel::clamp01.
-template <class R>
-HWY_INLINE hn::Vec<R> clamped(R r, hn::Vec<R> c) {
-    const auto least = hn::Zero(r), most = hn::Set(r, hn::TFromD<R>{1});
-    return hn::IfThenElseZero(hn::Gt(c, least), hn::Min(c, most));
-}
-
-template <class Real>
-void shade_reals(const Shader<Color<Real>>& shader, RealBatch<Real>& batch) {
-    const Wide<Real> r;
-    const Shader<Color<Real>> s = shader;
-    const std::array<Scales<Real>, lane_units> scales{Scales<Real>(s.unit[0]),
-                                                      Scales<Real>(s.unit[1])};
-    // What lies behind the last fragment up to a full vector must be an address too.
-    for (std::size_t u = 0; u < s.units; ++u)
-        for (std::size_t i = batch.size; i < batch.size + widest; ++i) batch.offset[u][i] = 0;
-    for (std::size_t i = 0; i < batch.size; i += fragments_at_once<Real>)
-        for (std::size_t ch = 0; ch < 4; ch += channels_at_once<Real>) {
-            Real* const color = batch.color[i].data() + ch;
-            auto c = hn::LoadU(r, color);
-            for (std::size_t u = 0; u < s.units; ++u)
-                c = combined(r, s.unit[u], scales[u], batch, u, i, ch, c);
-            hn::StoreU(clamped(r, c), r, color);
-        }
-}
-
-void round_f64(RealBatch<double>& batch) {
+void round_f64(double factor, RealBatch<double>& batch) {
     const D d;
     const hn::Rebind<std::uint8_t, D> bytes;
     const double* const from = batch.color.front().data();
     auto* const to = reinterpret_cast<std::uint8_t*>(batch.rounded.data());
     for (std::size_t i = 0; i < 4 * batch.size; i += hn::Lanes(d)) {
         const V raised =
-            hn::Add(hn::Mul(hn::Set(d, 255.0), hn::LoadU(d, from + i)), hn::Set(d, 0.5));
+            hn::Add(hn::Mul(hn::Set(d, factor), hn::LoadU(d, from + i)), hn::Set(d, 0.5));
         hn::StoreU(hn::DemoteTo(bytes, hn::DemoteTo(I(), raised)), bytes, to + i);
     }
     if constexpr (std::endian::native == std::endian::big)
@@ -218,8 +72,12 @@ void interpolate_f32(const Triangle& t, const RealCorners<float>& c, const Shade
                      std::size_t count, RealBatch<float>& out) {
     interpolate_reals(t, c, s, count, out);
 }
-void shade_f64(const Shader<Color<double>>& s, RealBatch<double>& batch) { shade_reals(s, batch); }
-void shade_f32(const Shader<Color<float>>& s, RealBatch<float>& batch) { shade_reals(s, batch); }
+void shade_f64(const Shader<Color<double>>& s, RealBatch<double>& batch) {
+    shade_fragments(s, RealArithmetic<double>(), batch);
+}
+void shade_f32(const Shader<Color<float>>& s, RealBatch<float>& batch) {
+    shade_fragments(s, RealArithmetic<float>(), batch);
+}
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
@@ -249,7 +107,9 @@ void shade(const Shader<Color<double>>& s, RealBatch<double>& batch) {
 void shade(const Shader<Color<float>>& s, RealBatch<float>& batch) {
     HWY_DYNAMIC_DISPATCH(shade_f32)(s, batch);
 }
-void round_to_bytes(RealBatch<double>& batch) { HWY_DYNAMIC_DISPATCH(round_f64)(batch); }
+void round_to_bytes(double factor, RealBatch<double>& batch) {
+    HWY_DYNAMIC_DISPATCH(round_f64)(factor, batch);
+}
 
 }  // namespace twofold::lanes
 #endif

@@ -43,13 +43,13 @@ struct TilePass {
     PixelRectangle pixels;
     bool on_lanes;
     unsigned bounded_sets, far_q_sets;  ///< what vectors need of its triangles' VertexFlags
-    lanes::Shader<LaneTexel<M>> shader;
+    LaneShader<M> shader;
     lanes::DepthRule depth;
 };
 
 template <NumericModel M>
-using LaneBatch = std::conditional_t<lane_kind<M>() == LaneKind::reals,
-                                     lanes::RealBatch<typename M::Real>, lanes::ByteBatch>;
+using LaneBatch = std::conditional_t<lane_kind<M>() == LaneKind::bytes, lanes::ByteBatch,
+                                     lanes::RealBatch<typename M::Real>>;
 
 /// What a thread needs to draw a tile. Colours go to the picture, depth is the tile's own.
 template <NumericModel M>
@@ -120,6 +120,19 @@ const Color<typename M::Channel>& corner_color(const TileTriangle<M>& t, std::si
     return mesh.vertices[mesh.flat ? t.triangle.provoking : t.triangle.vertex[k]].color;
 }
 
+template <NumericModel M>
+bool has_one_color(const TileTriangle<M>& t) {
+    const auto& color = corner_color(t, 0);
+    return t.pass.mesh->one_color || (color == corner_color(t, 1) && color == corner_color(t, 2));
+}
+
+/// Whether binary64 gives the integer quotients of Nv17::iterate_color: 256 times an area over an
+/// area below 2^44 is an integer, or further from the next than 2^-45.
+template <NumericModel M>
+bool color_weights_are_exact(const TileTriangle<M>& t) {
+    return !M::is_integer || t.setup.doubled_area < std::int64_t{1} << 44 || has_one_color(t);
+}
+
 /// Whether vectors give this triangle's fragments the reference's bits: the pass is one they know
 /// and no coordinate can overflow, vanish or be divided by 0.
 template <NumericModel M>
@@ -127,7 +140,7 @@ bool on_lanes(const TileTriangle<M>& t) {
     const VertexFlags& f = t.triangle.flags;
     const unsigned far_q = f.positive_q | f.negative_q;
     return t.pass.on_lanes && f.finite && !(t.pass.bounded_sets & ~unsigned{f.bounded}) &&
-           !(t.pass.far_q_sets & ~far_q);
+           !(t.pass.far_q_sets & ~far_q) && color_weights_are_exact(t);
 }
 
 /// The triangle as the vector loops take it: depth.
@@ -164,16 +177,14 @@ lanes::Corners<typename M::Real, typename M::Channel> lane_corners(const TileTri
         for (std::size_t k = 0; k < 3; ++k) out.coords[u][k] = &coords[t.triangle.vertex[k]];
     }
     for (std::size_t k = 0; k < 3; ++k) out.colors[k] = &corner_color(t, k);
-    out.one_color =
-        t.pass.mesh->one_color ||
-        (*out.colors[0] == *out.colors[1] && *out.colors[1] == *out.colors[2]);
+    out.one_color = has_one_color(t);
     return out;
 }
 
 /// The colour of fragment i of a batch that has been shaded.
 template <NumericModel M>
 const StoredColor<M>& shaded_color(const TileMemory<M>& tile, std::size_t i) {
-    if constexpr (lane_kind<M>() == LaneKind::reals && std::is_integral_v<typename M::Pixel>)
+    if constexpr (lane_kind<M>() != LaneKind::bytes && std::is_integral_v<typename M::Pixel>)
         return tile.batch.rounded[i];
     else
         return tile.batch.color[i];
@@ -216,9 +227,10 @@ template <NumericModel M>
 void finish_batch(const TilePass<M>& pass, bool certain, TileMemory<M>& tile) {
     auto& batch = tile.batch;
     if constexpr (std::is_integral_v<typename M::Pixel>) {
-        if constexpr (lane_kind<M>() == LaneKind::reals) lanes::round_to_bytes(batch);
+        if constexpr (lane_kind<M>() != LaneKind::bytes)
+            lanes::round_to_bytes(255.0 / static_cast<double>(pass.bound.m.one()), batch);
         if (pass.bound.plain_write) {
-            if constexpr (lane_kind<M>() == LaneKind::reals)
+            if constexpr (lane_kind<M>() != LaneKind::bytes)
                 return finish_words(pass, certain, batch.rounded.data(), tile);
             else
                 return finish_words(pass, certain, batch.color.data(), tile);
@@ -267,15 +279,13 @@ void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileM
 template <NumericModel M>
 void draw_triangle(const TileTriangle<M>& t, TileMemory<M>& tile) {
     const int bits = t.pass.bound.m.snap().fraction_bits;
-    if constexpr (lane_kind<M>() != LaneKind::none) {
-        TileEdges edges = edges_in_tile(t.setup, t.pixels, bits);
-        if (edges.none_covered) return;
-        if (edges.usable && on_lanes(t)) {
-            add_corners(t, tile, edges.triangle);
-            return draw_on_lanes(t, edges.triangle, tile);
-        }
-        flush(t.pass, true, tile);
+    TileEdges edges = edges_in_tile(t.setup, t.pixels, bits);
+    if (edges.none_covered) return;
+    if (edges.usable && on_lanes(t)) {
+        add_corners(t, tile, edges.triangle);
+        return draw_on_lanes(t, edges.triangle, tile);
     }
+    flush(t.pass, true, tile);
     const WindowTriangle<M> triangle = window_triangle(*t.pass.mesh, t.triangle, t.pass.set_of);
     DrawCounters ignored;
     for_each_covered_pixel(t.setup, bits, t.pixels, [&](int x, int y, const EdgeValues& edge) {

@@ -17,11 +17,12 @@ CustomSettings random_custom(Dice& dice) {
     if (dice.chance(0.5)) s.filter_weight_bits = dice.integer(1, 16);
     if (dice.chance(0.5)) s.filter_rounding = dice.up_to(FilterRounding::once);
     if (dice.chance(0.5)) s.product_rounding = dice.up_to(ProductRounding::shift);
-    if (dice.chance(0.5)) s.register_bits = dice.integer(8, 16);
-    if (dice.chance(0.5)) s.vertex_color = dice.up_to(VertexColorRounding::floor);
+    if (dice.chance(0.5)) s.register_bits = dice.integer(8, 24);
+    if (dice.chance(0.5)) s.vertex_color = dice.up_to(VertexColorRounding::real);
+    if (dice.chance(0.3)) s.texel_bits = dice.integer(4, 16);
     if (dice.chance(0.3)) s.snap_bits = dice.integer(0, 12);
     if (dice.chance(0.3)) s.snap_bias = dice.one_of({0.0, 0.5, -0.25, 1.0 / 32});
-    if (dice.chance(0.3)) s.framebuffer_bits = dice.integer(4, 8);
+    if (dice.chance(0.3)) s.framebuffer_bits = dice.one_of({0, 0, 4, 5, 6, 7, 8});
     return s;
 }
 
