@@ -62,9 +62,12 @@ BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& st
             addressing_of(state)};
 }
 
-inline bool writes_plainly(const PassState& state, ColorFormat format) {
+/// Whether a fragment's colour replaces a pixel's in every bit.
+template <NumericModel M>
+bool writes_plainly(const M& m, const PassState& state, ColorFormat format) {
+    const auto one = m.pixel(1.0);
     return !state.blend && format == ColorFormat::rgba8888 &&
-           state.color_mask == PassState{}.color_mask;
+           state.color_mask == PassState{}.color_mask && m.quantise(one, 8) == one;
 }
 
 /// @param state    normalized; @param format of the framebuffer
@@ -74,7 +77,7 @@ BoundPass<M> bind(const M& m, const PassState& state, ColorFormat format,
                   const std::vector<UploadedTexture<M>>& textures,
                   const UploadedTexture<M>& white) {
     BoundPass<M> bound{m,  state, {}, std::nullopt,
-                       {}, {},    {}, writes_plainly(state, format)};
+                       {}, {},    {}, writes_plainly(m, state, format)};
     for (std::size_t u = 0; u < max_units; ++u)
         if (const auto& unit = state.units[u])
             bound.units.push_back(

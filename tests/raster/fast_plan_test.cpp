@@ -13,8 +13,10 @@ using namespace twofold;
 using namespace twofold::test;
 
 /// Why the fragments of a pass are not shaded on vectors.
-std::string why_scalar(const PassState& state, Preset preset = Preset::nv17) {
-    return fast_routes(pixel_frame(8, 8, rectangle(0, 0, 8, 8), state), preset)[0].scalar_fragments;
+std::string why_scalar(const PassState& state, Preset preset = Preset::nv17,
+                       const CustomSettings& custom = {}) {
+    return fast_routes(pixel_frame(8, 8, rectangle(0, 0, 8, 8), state), preset, custom)[0]
+        .scalar_fragments;
 }
 
 bool names(const std::vector<Effect>& effects, const std::string& name) {
@@ -38,7 +40,15 @@ TEST_CASE("the paper's four passes run on vectors and share their geometry", "[f
 TEST_CASE("what vectors do not know is named", "[fast]") {
     PassState state;
     CHECK(why_scalar(state) == "");
-    CHECK(why_scalar(state, Preset::coarse8) == "preset coarse8 has no vectors");
+    for (const Preset preset : all_presets) CHECK(why_scalar(state, preset) == "");
+    CustomSettings wide;
+    wide.filter_rounding = FilterRounding::once;
+    wide.filter_weight_bits = 16;
+    wide.register_bits = 22;
+    CHECK(why_scalar(state, Preset::custom, wide) == "");
+    wide.register_bits = 23;
+    CHECK(why_scalar(state, Preset::custom, wide) ==
+          "filter_rounding once with weights and registers wider than binary64");
     state.color_sum = true;
     CHECK(why_scalar(state) == "colour sum");
     state = {};
