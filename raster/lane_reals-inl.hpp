@@ -166,7 +166,8 @@ HWY_INLINE hn::Vec<R> clamped(R r, hn::Vec<R> c, hn::TFromD<R> most) {
 /// Looks textures up and combines them with the colours.
 /// @param m  a model's filter(), modulate(), finish() and one() on vectors
 template <class Real, class Arithmetic>
-void shade_fragments(const Shader<Color<Real>>& shader, const Arithmetic m, RealBatch<Real>& batch) {
+void shade_fragments(const Shader<Color<Real>>& shader, const Arithmetic m,
+                     RealBatch<Real>& batch) {
     const Wide<Real> r;
     const Shader<Color<Real>> s = shader;
     const std::array<Scales<Real>, lane_units> scales{Scales<Real>(s.unit[0], m.one()),

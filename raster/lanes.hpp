@@ -122,8 +122,8 @@ struct Shader {
     std::array<Unit<Texel>, lane_units> unit;
 };
 
-/// How a preset of integers rounds. Its numbers have at most 24 bits and the filter's weights 16, so
-/// that binary64 holds sums and products exactly until they are rounded.
+/// How a preset of integers rounds. Its numbers have at most 24 bits and the filter's weights 16,
+/// so that binary64 holds sums and products exactly until they are rounded.
 struct Rounding {
     bool cuts_colors;     ///< colours are iterated as Coarse8's, else as Nv17's
     double weight_steps;  ///< the filter's weights are cut to 1 / weight_steps
@@ -133,7 +133,7 @@ struct Rounding {
         double add, factor;
         double identity;  ///< the b that leaves a alone; not 1.0 everywhere
     } product;            ///< a b becomes floor((a b + add) factor)
-    double one;  ///< 1.0 in the texture units
+    double one;           ///< 1.0 in the texture units
     /// A colour c becomes c finish_factor, then floor(that + finish_half) if it rounds.
     double finish_factor, finish_half;
     bool finish_rounds;
@@ -183,8 +183,8 @@ void interpolate(const Triangle& t, const RealCorners<float>& c, const Shader<Co
                  std::size_t count, RealBatch<float>& out);
 
 /// The same for a preset of integers, which the batch holds as real numbers.
-void interpolate(const Triangle& t, const ByteCorners& c, const RoundedShader& s,
-                 std::size_t count, RealBatch<double>& out);
+void interpolate(const Triangle& t, const ByteCorners& c, const RoundedShader& s, std::size_t count,
+                 RealBatch<double>& out);
 
 /// Looks textures up and combines them with the colours. Real ones are limited to [0, 1], rounded
 /// ones to [0, 255].

@@ -33,9 +33,9 @@ void iterate_weighted(const Triangle& t, const RealCorners<double>& c, const std
                     return hn::Mul(hn::Set(four, weight),
                                    hn::LoadU(four, c.colors[v]->data() + ch));
                 };
-                const auto sum = hn::Add(hn::Add(weighted(0, n0[k]),
-                                                 weighted(1, 256.0 - n0[k] - n2[k])),
-                                         hn::Add(weighted(2, n2[k]), hn::Set(four, 128.0)));
+                const auto sum =
+                    hn::Add(hn::Add(weighted(0, n0[k]), weighted(1, 256.0 - n0[k] - n2[k])),
+                            hn::Add(weighted(2, n2[k]), hn::Set(four, 128.0)));
                 hn::StoreU(hn::Floor(hn::Mul(sum, hn::Set(four, 1.0 / 256.0))), four,
                            out[i + k].data() + ch);
             }
@@ -107,8 +107,8 @@ struct RoundedArithmetic {
     }
     HWY_INLINE V finish(D d, V c) const {
         const V byte = hn::Mul(c, hn::Set(d, rule.finish_factor));
-        const V whole = rule.finish_rounds ? hn::Floor(hn::Add(byte, hn::Set(d, rule.finish_half)))
-                                           : byte;
+        const V whole =
+            rule.finish_rounds ? hn::Floor(hn::Add(byte, hn::Set(d, rule.finish_half))) : byte;
         return clamped(d, whole, 255.0);
     }
 };
@@ -134,8 +134,8 @@ namespace twofold::lanes {
 HWY_EXPORT(interpolate_rounded);
 HWY_EXPORT(shade_rounded);
 
-void interpolate(const Triangle& t, const ByteCorners& c, const RoundedShader& s,
-                 std::size_t count, RealBatch<double>& out) {
+void interpolate(const Triangle& t, const ByteCorners& c, const RoundedShader& s, std::size_t count,
+                 RealBatch<double>& out) {
     HWY_DYNAMIC_DISPATCH(interpolate_rounded)(t, c, s, count, out);
 }
 void shade(const RoundedShader& s, RealBatch<double>& batch) {

@@ -127,7 +127,7 @@ bool has_one_color(const TileTriangle<M>& t) {
 }
 
 /// Whether binary64 gives the integer quotients of Nv17::iterate_color: 256 times an area over an
-/// area below 2^44 is an integer, or further from the next than 2^-45.
+/// area below 2^44 is an integer or 2^-44 from one; it is rounded by at most 2^-46.
 template <NumericModel M>
 bool color_weights_are_exact(const TileTriangle<M>& t) {
     return !M::is_integer || t.setup.doubled_area < std::int64_t{1} << 44 || has_one_color(t);

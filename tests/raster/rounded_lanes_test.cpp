@@ -27,8 +27,8 @@ CustomSettings open_settings(int register_bits) {
 }
 
 /// One unit that reads a row of texels without surroundings, `stride` apart.
-lanes::RoundedShader shader_of(const lanes::Rounding& rule, const std::vector<Color<double>>& texels,
-                               int stride, bool linear) {
+lanes::RoundedShader shader_of(const lanes::Rounding& rule,
+                               const std::vector<Color<double>>& texels, int stride, bool linear) {
     lanes::RoundedShader s{};
     s.units = 1;
     s.unit[0].image = {texels.data(), static_cast<int>(texels.size()), 1, stride};
@@ -84,8 +84,8 @@ TEST_CASE("A product's quotient is exact where it changes, at every width", "[ra
             CHECK(wrong == 0);
             wrong = 0;
             for (std::int64_t a = 0; a <= one; a += one / 255)
-                wrong += quotient(a * static_cast<std::int64_t>(q.identity)) !=
-                         static_cast<double>(a);
+                wrong +=
+                    quotient(a * static_cast<std::int64_t>(q.identity)) != static_cast<double>(a);
             CHECK(wrong == 0);
         }
 }
@@ -151,8 +151,8 @@ int wrong_filters(Dice& dice, const M& m) {
     int wrong = 0;
     for (std::size_t i = 0; i < size; ++i) {
         const auto texel = [&](std::size_t k) { return static_cast<int>(texels[2 * i + k][0]); };
-        const int filtered = m.filter(texel(0), texel(1), texel(2 * size), texel(2 * size + 1),
-                                      a[i], b[i]);
+        const int filtered =
+            m.filter(texel(0), texel(1), texel(2 * size), texel(2 * size + 1), a[i], b[i]);
         wrong += batch->color[i][i % 4] != m.finish(m.modulate(filtered, one));
     }
     return wrong;
@@ -187,5 +187,26 @@ TEST_CASE("A framebuffer of fewer bits cuts what is drawn without a blend", "[ra
     const Frame frame = pixel_frame(8, 8, rectangle(0, 0, 8, 8), state);
     const Framebuffer expected = render_reference(frame, Preset::custom, settings);
     CHECK(expected.bytes[0] == Rgba8{0xb0, 0x40, 0xf0, 0xff});
+    CHECK(render_fast(frame, Preset::custom, settings).bytes == expected.bytes);
+}
+
+TEST_CASE("Colour weights of a huge triangle are quotients of integers on vectors too",
+          "[raster]") {
+    // In 1/4096 pixel. At the only pixel's centre 256 times the doubled area opposite the first
+    // vertex is 255 A - 1, A being the triangle's, so that the weight is 254; the quotient in
+    // binary64 is 255.
+    constexpr double unit = 1.0 / 4096.0;
+    Mesh mesh = triangles({{unit * -44102, unit * -15951, 0.5},
+                           {unit * 16695881, unit * -537219, 0.5},
+                           {unit * 2958708, unit * 13767306, 0.5}});
+    mesh.colors = {{1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+    CustomSettings settings;
+    settings.snap_bits = 12;
+    settings.snap_bias = 0.0;
+    PassState state;
+    state.window_space = true;
+    const Frame frame = pixel_frame(1, 1, mesh, state);
+    const Framebuffer expected = render_reference(frame, Preset::custom, settings);
+    CHECK(expected.bytes[0] == Rgba8{253, 253, 253, 253});
     CHECK(render_fast(frame, Preset::custom, settings).bytes == expected.bytes);
 }
