@@ -209,7 +209,7 @@ const PresetTable& table_of(Preset preset) {
          nv2x_rules},
         {"nv17", "the paper's card: a GeForce4 MX (NV17/NV18), stage by stage", 1, nv17_rules},
         {"coarse8", "the lower bracket: how bad 8 bits could be", 1, coarse8_rules},
-        {"custom", "nv17 with widths and roundings set at run time, for studies of one stage", 2,
+        {"custom", "nv17 with widths and roundings set at run time, for studies of one stage", 3,
          custom_rules},
     }};
     static_assert(tables.size() == static_cast<std::size_t>(Preset::custom) + 1);

@@ -80,7 +80,7 @@ TEST_CASE("custom is a preset with a table, but not one of the fixed ones", "[pr
     CHECK(std::ranges::find(all_presets, Preset::custom) == all_presets.end());
     CHECK(preset_named("custom") == Preset::custom);
     CHECK(name_of(Preset::custom) == "custom");
-    CHECK(version_of(Preset::custom) == 2);
+    CHECK(version_of(Preset::custom) == 3);
     REQUIRE(stage_rules(Preset::custom).size() == 19);
     for (std::size_t i = 0; i < 19; ++i)
         CHECK(stage_rules(Preset::custom)[i].stage == stage_rules(Preset::ideal64)[i].stage);
