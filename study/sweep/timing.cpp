@@ -12,6 +12,8 @@ namespace {
 /// What one measurement takes at least, so that the clock's own cost does not show.
 constexpr double least_measurement = 0.008;
 
+constexpr int rounds_of_long_frame = 3;
+
 double processor_now() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -57,7 +59,8 @@ void TimedFrame::measure() {
 }
 
 bool TimedFrame::wants_more() const {
-    return !long_ && rounds() < rule_.most_rounds &&
+    if (long_) return rounds() < std::min(rounds_of_long_frame, rule_.most_rounds);
+    return rounds() < rule_.most_rounds &&
            (spent_ < rule_.seconds || rounds() < rule_.least_rounds);
 }
 

@@ -26,13 +26,13 @@ struct TimingRule {
     double seconds = 0.4;  ///< rounds go on until the frame alone has taken so long
     int least_rounds = 15;
     int most_rounds = 25;
-    double long_frame = 1.0;  ///< a frame that takes longer, seconds, is drawn once
+    double long_frame = 1.0;  ///< a frame that takes longer, seconds, has three rounds
 };
 
 /// A frame that is timed in turn with others.
 class TimedFrame {
   public:
-    /// Draws it once, which also warms up; of a long frame this is the measurement.
+    /// Draws it once, which warms up; of a long frame this is the first round.
     TimedFrame(std::function<void()> draw, const TimingRule& rule);
 
     /// One round more: a frame shorter than some milliseconds is drawn several times.
