@@ -65,7 +65,12 @@ HWY_INLINE Weights<R> over_w(R r, const Triangle& t, const Weights<R>& w) {
     return {hn::Mul(w.e0, over(0)), hn::Mul(w.e1, over(1)), hn::Mul(w.e2, over(2))};
 }
 
-/// 256 times the weights of the first and the third vertex in Nv17::iterate_color, not yet cut.
+/// cut_within() of byte_arithmetic.hpp.
+HWY_INLINE V cut_within(V x, V most) {
+    return hn::Trunc(hn::IfThenElseZero(hn::Gt(x, hn::Zero(D())), hn::Min(x, most)));
+}
+
+/// 256 times the weights of the first and the third vertex in Nv17::iterate_color.
 struct EndWeights {
     V n0, n2;
 };
@@ -79,7 +84,8 @@ HWY_INLINE EndWeights end_weights(const Triangle& t, const std::int32_t* places)
         w = over_w(d, t, w);
         sum = hn::Add(hn::Add(w.e0, w.e1), w.e2);
     }
-    return {hn::Div(hn::Mul(steps, w.e0), sum), hn::Div(hn::Mul(steps, w.e2), sum)};
+    const V n0 = cut_within(hn::Div(hn::Mul(steps, w.e0), sum), steps);
+    return {n0, cut_within(hn::Div(hn::Mul(steps, w.e2), sum), hn::Sub(steps, n0))};
 }
 
 /// coordinate_weights() of interpolate.hpp.

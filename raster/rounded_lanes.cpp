@@ -24,8 +24,8 @@ void iterate_weighted(const Triangle& t, const RealCorners<double>& c, const std
     alignas(64) double n0[hn::MaxLanes(d)], n2[hn::MaxLanes(d)];
     for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
         const EndWeights w = end_weights(t, at + i);
-        hn::StoreU(hn::Trunc(w.n0), d, n0);
-        hn::StoreU(hn::Trunc(w.n2), d, n2);
+        hn::StoreU(w.n0, d, n0);
+        hn::StoreU(w.n2, d, n2);
         const std::size_t count = HWY_MIN(hn::Lanes(d), size - i);
         for (std::size_t k = 0; k < count; ++k)
             for (std::size_t ch = 0; ch < 4; ch += hn::Lanes(four)) {
@@ -49,7 +49,7 @@ void iterate_cut(const Triangle& t, const RealCorners<double>& c, const std::int
     iterate_reals(t, c, at, size, out);
     double* const channels = out->data();
     for (std::size_t i = 0; i < 4 * size; i += hn::Lanes(d))
-        hn::StoreU(hn::Trunc(hn::LoadU(d, channels + i)), d, channels + i);
+        hn::StoreU(cut_within(hn::LoadU(d, channels + i), hn::Set(d, 255.0)), d, channels + i);
 }
 
 void interpolate_rounded(const Triangle& t, const ByteCorners& c, const RoundedShader& s,

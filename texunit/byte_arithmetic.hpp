@@ -58,4 +58,10 @@ constexpr int floor8(double x) {
     return x < 1.0 ? static_cast<int>(255.0 * x) : 255;
 }
 
+/// floor(x) of x limited to [0, most]; NaN gives 0.
+constexpr int cut_within(double x, int most) {
+    if (!(x > 0.0)) return 0;
+    return x < most ? static_cast<int>(x) : most;
+}
+
 }  // namespace twofold

@@ -17,12 +17,13 @@ struct Coarse8 : Nv17 {
         return {byte(c[0]), byte(c[1]), byte(c[2]), byte(c[3])};
     }
 
-    /// Binary64, then cut. An offset from the first vertex, so that a constant colour stays exact.
+    /// Binary64, then cut, within 0..255. An offset from the first vertex, so that a constant colour
+    /// stays exact.
     static int iterate_color(const InterpolationWeights<double>& w, int c0, int c1, int c2) {
         const double l0 = static_cast<double>(w.edge[0]) * w.inverse_w[0];
         const double l1 = static_cast<double>(w.edge[1]) * w.inverse_w[1];
         const double l2 = static_cast<double>(w.edge[2]) * w.inverse_w[2];
-        return static_cast<int>(c0 + (l1 * (c1 - c0) + l2 * (c2 - c0)) / (l0 + l1 + l2));
+        return cut_within(c0 + (l1 * (c1 - c0) + l2 * (c2 - c0)) / (l0 + l1 + l2), 255);
     }
 
     static int expand(int v, int bits) { return v << (8 - bits); }

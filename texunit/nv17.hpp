@@ -31,7 +31,8 @@ struct Nv17 {
     }
 
     /// Weights in 1/256, cut for the first and third vertex; the second takes the rest. Halves
-    /// round up.
+    /// round up. Weights are held to 0..256 together, so that the colour lies between the vertices'
+    /// where their w differ in sign, too: chosen, no rule is published.
     static int iterate_color(const InterpolationWeights<double>& w, int c0, int c1, int c2) {
         const auto [n0, n2] = w.equal_w() ? linear_weights(w) : perspective_weights(w);
         return (n0 * c0 + (256 - n0 - n2) * c1 + n2 * c2 + 128) >> 8;
@@ -133,7 +134,8 @@ struct Nv17 {
         const double l1 = static_cast<double>(w.edge[1]) * w.inverse_w[1];
         const double l2 = static_cast<double>(w.edge[2]) * w.inverse_w[2];
         const double sum = l0 + l1 + l2;
-        return {static_cast<int>(256.0 * l0 / sum), static_cast<int>(256.0 * l2 / sum)};
+        const int n0 = cut_within(256.0 * l0 / sum, 256);
+        return {n0, cut_within(256.0 * l2 / sum, 256 - n0)};
     }
 };
 

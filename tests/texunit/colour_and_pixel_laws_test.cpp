@@ -74,6 +74,34 @@ TEMPLATE_TEST_CASE("the colour iterator gives each vertex its colour and stays b
     CHECK(outside == 0);
 }
 
+TEMPLATE_TEST_CASE("an iterated colour stays among bytes where w differ in sign or are 0", "[law]",
+                   Nv2x, Nv17, Coarse8, Custom) {
+    using M = TestType;
+    const auto a = in<M>(13), b = in<M>(200), c = in<M>(77);
+    constexpr bool among_vertices = !std::is_same_v<M, Coarse8>;
+    int outside = 0;
+    for (const double w0 : {-3.0, 0.0, 1e-30, 1.0, 1e30})
+        for (const double w1 : {-1.0, 0.0, -1e30, 2.0})
+            for (std::int64_t x = 0; x <= 12; ++x) {
+                const int k = m<M>.iterate_color({{x, 12 - x, 5}, {w0, w1, 1.0}}, a, b, c);
+                outside += among_vertices ? k < 13 || k > 200 : k < 0 || k > 255;
+            }
+    CHECK(outside == 0);
+}
+
+TEST_CASE("registers of 24 bits iterate without overflow, w of any sign", "[law]") {
+    CustomSettings settings;
+    settings.register_bits = 24;
+    const Custom wide(settings);
+    const int one = wide.one();
+    for (const double w : {-1.0 - 0x1p-20, -1.0, 0.0, 1e-30, 1.0, 1e30}) {
+        CAPTURE(w);
+        const int k = wide.iterate_color({{7, 7, 1}, {1.0, w, 1.0}}, one, 0, one);
+        CHECK((k >= 0 && k <= one));
+        CHECK(wide.iterate_color({{7, 7, 1}, {1.0, w, 1.0}}, one, one, one) == one);
+    }
+}
+
 TEST_CASE("the nv17 iterator cuts the weights of the first and third vertex to 1/256", "[nv17]") {
     const auto at = [](std::array<std::int64_t, 3> edge, std::array<double, 3> w) {
         return Nv17::iterate_color({edge, w}, 0, 255, 0);
