@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "factor/factorize_check.hpp"
+#include "factor/row_order.hpp"
 #include "texunit/error.hpp"
 
 namespace twofold {
@@ -22,11 +23,20 @@ void FitSamples::add(const LightingSamples& batch, int threads) {
     at_.append(batch.at, shape_of(settings_), settings_.view_knots, threads);
     for (const Rgb& radiance : batch.radiance)
         for (int c = 0; c < 3; ++c) radiance_[static_cast<std::size_t>(c)].push_back(radiance[c]);
+    while (at_.size() - ordered_ >= ordered_rows) order_to(ordered_ + ordered_rows);
+}
+
+void FitSamples::order_to(std::size_t end) {
+    const auto order = order_of_rows(at_, ordered_, end - ordered_, shape_of(settings_));
+    put_in_order(at_, ordered_, order);
+    for (Vector& channel : radiance_) put_in_order(channel, ordered_, order);
+    ordered_ = end;
 }
 
 FitSamples::Parts FitSamples::parts() && {
     if (at_.size() < count_)
         throw Error(ExitCode::failure, fmt::format("factor: {} of {} samples", at_.size(), count_));
+    order_to(count_);
     return {log_rows(std::move(at_), std::move(regulariser_), settings_), std::move(radiance_)};
 }
 
