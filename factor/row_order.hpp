@@ -14,9 +14,8 @@ namespace twofold {
 /// batches and no list of all of them is needed.
 inline constexpr std::size_t ordered_rows = std::size_t{1} << 17;
 
-/// The rows [first, first + count) by runs of texels of map 2, in a run by runs of texels of map 1,
-/// in both as they stand: rows near each other then share values and sums that the first-level cache
-/// holds.
+/// The rows [first, first + count) by runs of texels of map 2, in each by runs of texels of map 1,
+/// else as they stand: neighbours then share values and sums that the first-level cache holds.
 /// @return numbers below count, the row that comes first at the front
 std::vector<std::uint32_t> order_of_rows(const SampleRows& rows, std::size_t first,
                                          std::size_t count, const MapShape& shape);
