@@ -30,10 +30,10 @@ class FitSamples {
         std::array<Vector, 3> radiance;  ///< by channel, with room for the rows of the regulariser
     };
     /// @throws Error if fewer than `count` samples were added
-    Parts parts() &&;
+    Parts parts(int threads = 1) &&;
 
   private:
-    void order_to(std::size_t end);  ///< the rows from ordered_ on
+    void order_to(std::size_t end, int threads);  ///< the rows from ordered_ on
 
     FactorSettings settings_;
     std::size_t count_;
