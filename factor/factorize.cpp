@@ -223,7 +223,7 @@ FactoredLighting factorize(FitSamples fit, const LightingSamples& judged, double
     check_white(white);
     check_samples(judged, "held_out");
     const FactorSettings settings = fit.settings();
-    auto [log, radiance] = std::move(fit).parts();
+    auto [log, radiance] = std::move(fit).parts(threads);
     LeftSides left{std::move(log), std::nullopt};
     if (refines(settings)) left.product = product_rows(left.log);
 

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "factor/factorize_check.hpp"
+#include "factor/row_order.hpp"
 #include "texunit/error.hpp"
+#include "texunit/parallel.hpp"
 
 namespace twofold {
 
@@ -22,11 +24,24 @@ void FitSamples::add(const LightingSamples& batch, int threads) {
     at_.append(batch.at, shape_of(settings_), settings_.view_knots, threads);
     for (const Rgb& radiance : batch.radiance)
         for (int c = 0; c < 3; ++c) radiance_[static_cast<std::size_t>(c)].push_back(radiance[c]);
+    while (at_.size() - ordered_ >= ordered_rows) order_to(ordered_ + ordered_rows, threads);
 }
 
-FitSamples::Parts FitSamples::parts() && {
+void FitSamples::order_to(std::size_t end, int threads) {
+    const auto order = order_of_rows(at_, ordered_, end - ordered_, shape_of(settings_));
+    parallel_for(radiance_.size() + 1, threads, [&](std::size_t k) {
+        if (k < radiance_.size())
+            put_in_order(radiance_[k], ordered_, order);
+        else
+            put_in_order(at_, ordered_, order);
+    });
+    ordered_ = end;
+}
+
+FitSamples::Parts FitSamples::parts(int threads) && {
     if (at_.size() < count_)
         throw Error(ExitCode::failure, fmt::format("factor: {} of {} samples", at_.size(), count_));
+    order_to(count_, threads);
     return {log_rows(std::move(at_), std::move(regulariser_), settings_), std::move(radiance_)};
 }
 

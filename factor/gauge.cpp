@@ -39,18 +39,69 @@ struct Connection {
 };
 
 template <class Matrix>
+void connect_row(Connection& found, const Matrix& rows, std::size_t i) {
+    std::optional<std::uint32_t> first;
+    for (const MatrixEntry& entry : rows.row(i)) {
+        if (entry.value == 0.0) continue;
+        found.touched[entry.column] = true;
+        if (!first) first = entry.column;
+        found.sets.join(*first, entry.column);
+    }
+}
+
+/// Which footprints rows had: the bits of an unknown say which weights were 0 where it came first.
+class SeenFootprints {
+  public:
+    explicit SeenFootprints(const LogMatrix& rows)
+        : at_(rows.places()), first_knot_(rows.first_knot()), kinds_(rows.columns()) {}
+
+    /// Whether a row before had the footprints of this one, each by itself.
+    bool take(std::size_t i) {
+        const bool first = take(at_.texel[0][i], at_.fraction[0][i], at_.fraction[1][i]);
+        const bool second = take(at_.texel[1][i], at_.fraction[2][i], at_.fraction[3][i]);
+        const bool third = at_.knot.empty() || take(knot(i), at_.knot_fraction[i], 0);
+        return first && second && third;
+    }
+
+    /// The first unknowns, whose weights are never 0, in one set.
+    bool joined(std::size_t i, DisjointSets& sets) const {
+        const std::uint32_t set = sets.find(at_.texel[0][i]);
+        return sets.find(at_.texel[1][i]) == set && (at_.knot.empty() || sets.find(knot(i)) == set);
+    }
+
+  private:
+    std::uint32_t knot(std::size_t i) const { return first_knot_ + at_.knot[i]; }
+
+    bool take(std::uint32_t first, std::uint16_t x, std::uint16_t y) {
+        const unsigned kind = 1U << ((x != 0 ? 1U : 0U) + (y != 0 ? 2U : 0U));
+        const bool seen = (kinds_[first] & kind) != 0;
+        kinds_[first] = static_cast<std::uint8_t>(kinds_[first] | kind);
+        return seen;
+    }
+
+    const SampleRows& at_;
+    std::uint32_t first_knot_;
+    std::vector<std::uint8_t> kinds_;
+};
+
+/// The rows of samples: one whose like was seen connects nothing.
+/// @return their number
+std::size_t connect_samples(Connection& found, const LogMatrix& rows,
+                            std::span<const double> weight) {
+    SeenFootprints seen(rows);
+    for (std::size_t i = 0; i < rows.samples(); ++i)
+        if (weight[i] > 0.0 && !(seen.take(i) && seen.joined(i, found.sets)))
+            connect_row(found, rows, i);
+    return rows.samples();
+}
+
+std::size_t connect_samples(Connection&, const SparseMatrix&, std::span<const double>) { return 0; }
+
+template <class Matrix>
 Connection connected(const Matrix& rows, std::span<const double> row_weight) {
     Connection found{DisjointSets(rows.columns()), std::vector<bool>(rows.columns(), false)};
-    for (std::size_t i = 0; i < rows.rows(); ++i) {
-        if (!(row_weight[i] > 0.0)) continue;
-        std::optional<std::uint32_t> first;
-        for (const MatrixEntry& entry : rows.row(i)) {
-            if (entry.value == 0.0) continue;
-            found.touched[entry.column] = true;
-            if (!first) first = entry.column;
-            found.sets.join(*first, entry.column);
-        }
-    }
+    for (std::size_t i = connect_samples(found, rows, row_weight); i < rows.rows(); ++i)
+        if (row_weight[i] > 0.0) connect_row(found, rows, i);
     return found;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -67,6 +68,9 @@ class LogMatrix {
     /// Euclidean norm of each column of diag(row_weight) A.
     Vector column_norms(std::span<const double> row_weight, int threads) const;
 
+    const SampleRows& places() const { return samples_; }
+    /// The unknown of the first knot of g.
+    std::uint32_t first_knot() const { return static_cast<std::uint32_t>(2 * shape_.texels()); }
     RowReader reader() const { return {samples_, shape_}; }
     const SparseMatrix& regulariser() const { return regulariser_; }
     /// Length of a vector of unknowns that sample rows may be multiplied with.

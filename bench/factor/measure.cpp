@@ -178,15 +178,15 @@ std::vector<FactorFigure> measure_sampling(const Peer& peer) {
 
 std::vector<FactorFigure> measure_solvers(const Peer& peer) {
     const FactorSettings settings = settings_of(32);
-    const LightingSamples samples = cheap_samples(solved_samples);
-    const LogRows left = log_rows(samples.at, settings);
+    FitSamples fit(settings, solved_samples);
+    fit.add(cheap_samples(solved_samples), 1);
+    auto [left, radiance] = std::move(fit).parts();
     std::array<ChannelRows, 3> right;
     std::vector<WeightedSystem> systems;
     std::vector<const WeightedSystem*> together;
     systems.reserve(3);
     for (std::size_t c = 0; c < 3; ++c) {
-        right[c] =
-            channel_rows(left, channel_of(samples.radiance, static_cast<int>(c)), settings, 1.0);
+        right[c] = channel_rows(left, std::move(radiance[c]), settings, 1.0);
         together.push_back(&systems.emplace_back(left, right[c], settings, 1));
     }
     dump_system(peer.folder, left, right[0], systems[0]);

@@ -144,7 +144,7 @@ CellKeys keys_of(const Cell& cell, InputHashes& inputs) {
 }
 
 /// Of a kept result: one of another format is measured again.
-constexpr std::string_view result_format = "4";
+constexpr std::string_view result_format = "5";
 
 std::string id_of(const Cell& cell, InputHashes& inputs) {
     const Preset preset = cell.scene.presets.front();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "factor/factorize.hpp"
+#include "factor/sparse_matrix.hpp"
 #include "factor/vector_arithmetic.hpp"
 #include "factor_cases.hpp"
 
@@ -104,4 +105,30 @@ TEST_CASE("F07 a third factor adds a second null vector, orthogonal to the first
     const Vector moved =
         minus(rows.matrix.multiply(gauge.balanced(x), 1), rows.matrix.multiply(x, 1));
     CHECK(largest_magnitude(moved) < 1e-13);
+}
+
+TEST_CASE("the gauge of rows as places is that of the same rows as entries") {
+    FactorSettings settings = cases::unregularised(GENERATE(4, 16, 40), 0.875);
+    settings.view_knots = GENERATE(0, 5);
+    const LogRows rows = log_rows(surface_views(600, 1), settings);
+    RowBuilder builder;
+    for (std::size_t i = 0; i < rows.matrix.rows(); ++i) {
+        const RowEntries row = rows.matrix.row(i);
+        builder.add(std::vector<MatrixEntry>(row.begin(), row.end()));
+    }
+    const SparseMatrix entries = builder.build(rows.matrix.columns());
+    for (const std::size_t left_out : {0U, 2U, 50U, 500U}) {
+        Vector weight(rows.matrix.rows(), 1.0);
+        for (std::size_t i = 0; i < left_out; ++i) weight[i * 7919 % 600] = 0.0;
+        const Gauge gauge(rows.matrix, weight, rows.starts());
+        const Gauge expected(entries, weight, rows.starts());
+        REQUIRE(gauge.components() == expected.components());
+        const Vector scale(rows.matrix.columns(), 1.0);
+        const auto found = gauge.null_vectors(scale), wanted = expected.null_vectors(scale);
+        REQUIRE(found.size() == wanted.size());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            CHECK(found[k].index == wanted[k].index);
+            CHECK(found[k].value == wanted[k].value);
+        }
+    }
 }
