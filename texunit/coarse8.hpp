@@ -17,8 +17,8 @@ struct Coarse8 : Nv17 {
         return {byte(c[0]), byte(c[1]), byte(c[2]), byte(c[3])};
     }
 
-    /// Binary64, then cut, within 0..255. An offset from the first vertex, so that a constant colour
-    /// stays exact.
+    /// Binary64, then cut, within 0..255. An offset from the first vertex, so that a constant
+    /// colour stays exact.
     static int iterate_color(const InterpolationWeights<double>& w, int c0, int c1, int c2) {
         const double l0 = static_cast<double>(w.edge[0]) * w.inverse_w[0];
         const double l1 = static_cast<double>(w.edge[1]) * w.inverse_w[1];
