@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <ctime>
 
 #include "study/sweep/timing.hpp"
 #include "texunit/random.hpp"
@@ -21,6 +22,13 @@ std::vector<CurvePoint> random_points(std::uint64_t seed) {
         points.push_back({static_cast<double>(random_u64(seed, 2 * i) % 12),
                           static_cast<double>(random_u64(seed, 2 * i + 1) % 12)});
     return points;
+}
+
+/// Takes a little more than so much processor time.
+void be_busy(double seconds) {
+    const std::clock_t start = std::clock();
+    while (static_cast<double>(std::clock() - start) <= seconds * CLOCKS_PER_SEC) {
+    }
 }
 
 }  // namespace
@@ -70,16 +78,10 @@ TEST_CASE("least, median and quartiles are values by their place in the order") 
 
 TEST_CASE("frames are timed in turn, the common one first, each as often as it wants") {
     std::string order;
-    const auto busy = [&order](char name, double least) {
-        return [&order, name, least] {
+    const auto busy = [&order](char name, double seconds) {
+        return [&order, name, seconds] {
             order += name;
-            double spent = 0.0;
-            while (spent < least)
-                spent += seconds_of([] {
-                             std::vector<double> work(1000, 1.0);
-                             for (double& w : work) w = std::sqrt(w + 1.0);
-                         }).processor +
-                         1e-9;
+            be_busy(seconds);
         };
     };
     const TimingRule thrice{.seconds = 0.0, .least_rounds = 3, .most_rounds = 9, .long_frame = 5.0};
@@ -96,16 +98,21 @@ TEST_CASE("frames are timed in turn, the common one first, each as often as it w
     CHECK(longer.rounds() == 3);
     CHECK(other.rounds() == 2);
     CHECK(common.rounds() == 3);
-    CHECK(slow.processor().least >= 0.019);
+    CHECK(slow.processor().least >= 0.02);
     CHECK(slow.processor().least <= slow.processor().low);
     CHECK(slow.wall().low <= slow.wall().median);
 }
 
 TEST_CASE("a frame of less than some milliseconds is drawn several times a measurement") {
     int drawn = 0;
-    TimedFrame frame([&] { ++drawn; }, {});
+    const auto draw = [&drawn] {
+        ++drawn;
+        be_busy(0.003);
+    };
+    TimedFrame frame(draw, {});
     drawn = 0;
     frame.measure();
-    CHECK(drawn > 1);  // 800, unless the first drawing was interrupted
-    CHECK(drawn <= 800);
+    CHECK(drawn == 3);  // 8 ms of frames of 3 ms
+    CHECK(frame.processor().median >= 0.003);
+    CHECK(frame.processor().median < 0.008);
 }
