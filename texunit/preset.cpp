@@ -205,10 +205,10 @@ const PresetTable& table_of(Preset preset) {
         {"float32", "every stage in binary32, float textures: for 8-bit versus float studies", 1,
          float32_rules},
         {"gl13", "what the text of OpenGL 1.3 alone implies for an 8-bit renderer", 2, gl13_rules},
-        {"nv2x", "the family of the GeForce3 and 4 Ti: closest to silicon that can be checked", 1,
+        {"nv2x", "the family of the GeForce3 and 4 Ti: closest to silicon that can be checked", 2,
          nv2x_rules},
-        {"nv17", "the paper's card: a GeForce4 MX (NV17/NV18), stage by stage", 1, nv17_rules},
-        {"coarse8", "the lower bracket: how bad 8 bits could be", 1, coarse8_rules},
+        {"nv17", "the paper's card: a GeForce4 MX (NV17/NV18), stage by stage", 2, nv17_rules},
+        {"coarse8", "the lower bracket: how bad 8 bits could be", 2, coarse8_rules},
         {"custom", "nv17 with widths and roundings set at run time, for studies of one stage", 3,
          custom_rules},
     }};

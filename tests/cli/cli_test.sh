@@ -99,7 +99,7 @@ expect 0 "0 of" "$twofold" compare "$work/quad.exr" "$work/quad.exr"
 expect 2 "" "$twofold" compare "$work/a/exact.exr" "$work/a/gl13.exr"
 
 # explain
-expect 0 "bit-exact to preset nv17 v1" "$twofold" explain --preset nv17
+expect 0 "bit-exact to preset nv17 v2" "$twofold" explain --preset nv17
 expect 0 '"mark"' "$twofold" explain --preset gl13 --json
 expect 0 "reflection_map" "$twofold" explain "$lobe" -D image.width=64 -D image.height=64
 expect 0 "pass 0: 20172 triangles" "$twofold" explain "$scenes/cube-sphere.json" -D image.width=64 -D image.height=64

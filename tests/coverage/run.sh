@@ -11,10 +11,9 @@ cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Debug -DTWOFOLD_TESTS=ON \
 cmake --build $build -j "$(nproc)" ${libraries[0]:+--target "${libraries[@]/#/test_}"} | tail -n 1
 find $build -name '*.gcda' -delete
 failed() { echo "tests failed; their lines count all the same"; }
-programs=("${libraries[@]}")
-[ ${#libraries[@]} -gt 0 ] || programs=(texunit raster factor scenes study hostile bench quality)
+source tests/programs.sh
+[ ${#libraries[@]} -eq 0 ] || programs=("${libraries[@]}")
 for program in "${programs[@]}"; do "$build/tests/test_$program" | tail -n 3 || failed; done
-# Then what is no case of a test program; the checks on sources run none of them.
 [ ${#libraries[@]} -gt 0 ] ||
-    ctest --test-dir $build -j "$(nproc)" -LE checks -E '^[a-z]+:[^ ]' | tail -n 5 || failed
+    ctest --test-dir $build -j "$(nproc)" "${besides[@]}" | tail -n 5 || failed
 tests/coverage/lines.py $build "${libraries[@]}"

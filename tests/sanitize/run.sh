@@ -11,11 +11,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tool=${1:-}
 build=build/$tool
-programs=(texunit raster factor scenes study hostile bench quality)
+source tests/programs.sh
 passed=0 failed=0
 
-# make FLAGS [CMAKE_ARGUMENT ...]
-make() {
+# build_all FLAGS [CMAKE_ARGUMENT ...]
+build_all() {
     local flags=$1
     shift
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++ \
@@ -40,14 +40,14 @@ check_programs() {
 case $tool in
     address)
         export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
-        make "-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+        build_all "-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
         check_programs
         # Of the checks none runs what is instrumented here.
-        check ctest --test-dir "$build" -j "$(nproc)" --output-on-failure -LE checks -E '^[a-z]+:[^ ]'
+        check ctest --test-dir "$build" -j "$(nproc)" --output-on-failure "${besides[@]}"
         ;;
     thread)
         export TSAN_OPTIONS="halt_on_error=1 exitcode=66"
-        make "-O1 -fsanitize=thread" -DCMAKE_PROJECT_INCLUDE="$PWD/tests/sanitize/plain_threads.cmake"
+        build_all "-O1 -fsanitize=thread" -DCMAKE_PROJECT_INCLUDE="$PWD/tests/sanitize/plain_threads.cmake"
         check_programs
         check "$build/fast_equals_reference" --count 1000 --all-options -o "$build/failures"
         rm -rf "$build/study"

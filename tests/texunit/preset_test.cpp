@@ -35,7 +35,7 @@ TEST_CASE("preset nv17 stands on 7 sourced, 4 inferred and 8 chosen stages", "[p
     CHECK(n.inferred == 4);
     CHECK(n.chosen == 8);
     CHECK(exactness_sentence(Preset::nv17) ==
-          "bit-exact to preset nv17 v1: 7 stages sourced, 4 inferred, 8 chosen");
+          "bit-exact to preset nv17 v2: 7 stages sourced, 4 inferred, 8 chosen");
 }
 
 TEST_CASE("the marks of preset nv17 are those of the hardware reference, stage by stage",
@@ -65,7 +65,7 @@ TEST_CASE("preset nv2x stands on what captures settle, but for its general combi
         CHECK(rules[i].mark == expected[i]);
     }
     CHECK(exactness_sentence(Preset::nv2x) ==
-          "bit-exact to preset nv2x v1: 16 stages sourced, 1 inferred, 2 chosen");
+          "bit-exact to preset nv2x v2: 16 stages sourced, 1 inferred, 2 chosen");
 }
 
 TEST_CASE("only nv2x claims measurements: nothing public was measured on the others", "[preset]") {
