@@ -9,47 +9,16 @@
 #include <limits>
 #include <vector>
 
-#include "texunit/parallel.hpp"
+#include "tests/texunit/precise.hpp"
 #include "texunit/random.hpp"
 
 namespace {
 
 namespace exact = twofold::exact;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+using namespace twofold::precise;
+
 constexpr std::uint64_t points = 100000;
-
-/// A number of 120 bits, enough to call the correct double and float for every argument tested
-/// here.
-class Precise {
-  public:
-    Precise() { mpfr_init2(value_, 120); }
-    explicit Precise(double x) : Precise() { mpfr_set_d(value_, x, MPFR_RNDN); }
-    Precise(const Precise&) = delete;
-    Precise& operator=(const Precise&) = delete;
-    ~Precise() { mpfr_clear(value_); }
-    mpfr_ptr get() { return value_; }
-
-    float nearest_float() { return mpfr_get_flt(value_, MPFR_RNDN); }
-
-    /// |got - this| in units in the last place of this number as a double.
-    double ulps_from(double got) {
-        if (std::isinf(got) || std::isnan(got)) return infinity;
-        const long exponent = mpfr_zero_p(value_) ? -1074 : mpfr_get_exp(value_) - 53;
-        Precise difference(got);
-        mpfr_sub(difference.get(), difference.get(), value_, MPFR_RNDN);
-        mpfr_mul_2si(difference.get(), difference.get(), exponent < -1074 ? 1074 : -exponent,
-                     MPFR_RNDN);
-        return std::fabs(mpfr_get_d(difference.get(), MPFR_RNDN));
-    }
-
-  private:
-    mpfr_t value_;
-};
-
-using Function = double (*)(double);
-using Oracle = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
 double ulps(Function own, Oracle oracle, double x) {
     Precise correct(x);
@@ -104,67 +73,6 @@ double near_quarter_turn(std::uint64_t i) {
         x = std::nextafter(x, i % 2 ? 0.0 : infinity);
     return x;
 }
-
-/// Finds the floats with bit patterns [first, last] for which own(x), rounded to float, is not the
-/// float nearest to the true value. A double that is not near the middle between two floats decides
-/// by itself, for it is also held against the C library's double: more than two ulp apart counts as
-/// wrong too. MPFR decides the others.
-class FloatSweep {
-  public:
-    FloatSweep(Function own, Function library, Oracle oracle)
-        : own_(own), library_(library), oracle_(oracle) {}
-
-    std::vector<std::uint32_t> misrounded(std::uint32_t first, std::uint32_t last) const {
-        constexpr std::uint64_t chunk = 1u << 22;
-        const std::uint64_t end = std::uint64_t{last} + 1;
-        std::vector<std::vector<std::uint32_t>> found((end - first + chunk - 1) / chunk);
-        twofold::parallel_for(found.size(), 0, [&](std::size_t k) {
-            const std::uint64_t begin = first + k * chunk;
-            found[k] = misrounded_in(begin, begin + chunk < end ? begin + chunk : end);
-        });
-        std::vector<std::uint32_t> all;
-        for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-        return all;
-    }
-
-  private:
-    std::vector<std::uint32_t> misrounded_in(std::uint64_t begin, std::uint64_t end) const {
-        std::vector<std::uint32_t> found;
-        for (std::uint64_t i = begin; i < end; ++i) {
-            const auto bits = static_cast<std::uint32_t>(i);
-            if (is_wrong(std::bit_cast<float>(bits))) found.push_back(bits);
-        }
-        return found;
-    }
-
-    bool is_wrong(float x) const {
-        const auto argument = static_cast<double>(x);
-        const double value = own_(argument);
-        const double reference = library_(argument);
-        if (std::isnan(reference)) return !std::isnan(value);
-        if (std::isinf(reference)) return value != reference;
-        if (std::fabs(value - reference) > 0x1p-51 * std::fabs(reference)) {
-            // Denormal doubles have no relative accuracy; all of them are zero as floats.
-            if (std::fabs(reference) > 0x1p-1000) return true;
-        }
-        const auto below = static_cast<float>(value * (1.0 - 0x1p-40));
-        const auto above = static_cast<float>(value * (1.0 + 0x1p-40));
-        return below != above && static_cast<float>(value) != correct(argument);
-    }
-
-    float correct(double x) const {
-        Precise value(x);
-        oracle_(value.get(), value.get(), MPFR_RNDN);
-        return value.nearest_float();
-    }
-
-    Function own_;
-    Function library_;
-    Oracle oracle_;
-};
-
-constexpr std::uint32_t sign = 0x80000000;
-constexpr std::uint32_t float_two_pi = 0x40c90fdb;
 
 }  // namespace
 
@@ -318,29 +226,4 @@ TEST_CASE("acos is exact at the ends of its range and NaN outside", "[exact_math
     CHECK(std::isnan(exact::acos(std::nextafter(1.0, 2.0))));
     CHECK(std::isnan(exact::acos(std::nextafter(-1.0, -2.0))));
     CHECK(std::isnan(exact::acos(not_a_number)));
-}
-
-// Hidden, for each takes a minute or more: run by test_texunit "[.exhaustive]".
-TEST_CASE("exp rounds to the right float for every float", "[.exhaustive]") {
-    const FloatSweep sweep(exact::exp, std::exp, mpfr_exp);
-    CHECK(sweep.misrounded(0, 0xffffffff).empty());
-}
-
-TEST_CASE("log rounds to the right float for every float but five", "[.exhaustive]") {
-    const FloatSweep sweep(exact::log, std::log, mpfr_log);
-    const std::vector<std::uint32_t> known = {0x3c413d3a, 0x41178feb, 0x4c5d65a5, 0x65d890d3,
-                                              0x6f31a8ec};
-    CHECK(sweep.misrounded(0, 0xffffffff) == known);
-}
-
-TEST_CASE("sin rounds to the right float for every float of two turns", "[.exhaustive]") {
-    const FloatSweep sweep(exact::sin, std::sin, mpfr_sin);
-    CHECK(sweep.misrounded(0, float_two_pi).empty());
-    CHECK(sweep.misrounded(sign, sign + float_two_pi).empty());
-}
-
-TEST_CASE("cos rounds to the right float for every float of two turns", "[.exhaustive]") {
-    const FloatSweep sweep(exact::cos, std::cos, mpfr_cos);
-    CHECK(sweep.misrounded(0, float_two_pi).empty());
-    CHECK(sweep.misrounded(sign, sign + float_two_pi).empty());
 }
