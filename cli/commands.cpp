@@ -41,9 +41,12 @@ void print_comparisons(const RunResult& run) {
                "compared", "differ", "coverage", "max", "rms", "PSNR dB");
     for (const RunComparison& c : run.comparisons) {
         const PictureDifference& d = c.difference;
-        fmt::print("{:<8} {:<8} {:>9} {:>9} {:>9} {:>5} {:>8.3f} {:>8.2f}\n", c.picture,
-                   c.reference, d.pixels_compared, d.differing_pixels, d.coverage_differs,
-                   d.max_steps, d.rms_steps, d.psnr_db);
+        fmt::print("{:<8} {:<8} {:>9} {:>9} {:>9} ", c.picture, c.reference, d.pixels_compared,
+                   d.differing_pixels, d.coverage_differs);
+        if (d.pixels_compared == 0)
+            fmt::print("{:>5} {:>8} {:>8}\n", "-", "-", "-");
+        else
+            fmt::print("{:>5} {:>8.3f} {:>8.2f}\n", d.max_steps, d.rms_steps, d.psnr_db);
     }
 }
 

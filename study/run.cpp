@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -112,11 +113,19 @@ void note_methods(RunResult& run) {
     }
 }
 
-bool nothing_drawn(const RunResult& run) {
+bool is_empty(const RunPicture& picture) {
+    return std::ranges::none_of(picture.picture.bytes, [](Rgba8 pixel) { return pixel.a != 0; });
+}
+
+/// Of pictures that show nothing, all of them or some.
+void warn_of_empty(RunResult& run) {
+    if (std::ranges::all_of(run.pictures, is_empty)) {
+        run.warnings.push_back("no pixel of any object is visible");
+        return;
+    }
     for (const RunPicture& p : run.pictures)
-        for (const Rgba8 pixel : p.picture.bytes)
-            if (pixel.a != 0) return false;
-    return true;
+        if (is_empty(p))
+            run.warnings.push_back(p.name + ": the picture is empty: no fragment passed its tests");
 }
 
 /// What a measured material's file holds, and what of it is no measurement.
@@ -225,7 +234,7 @@ RunResult run_scene(const Scene& scene, int threads, const StepListener& listen,
             "exact shows the objects alone, without historical ones and explicit passes; no "
             "picture is "
             "compared with it");
-    if (nothing_drawn(run)) run.warnings.push_back("no pixel of any object is visible");
+    warn_of_empty(run);
     clock.end();
     return run;
 }

@@ -28,8 +28,9 @@ function comparison_table(data) {
                             element('small', {}, ` ${percent(c.differing, c.compared)}`)];
   const rows = data.comparisons.map((c) => [
     c.picture, c.reference, whole(c.compared), element('span', {}, ...differing(c)),
-    whole(c.coverage), c.first ? c.first.join(', ') : missing, whole(c.max), fixed(c.rms, 3),
-    decibel(c.psnr, c.differing)]);
+    whole(c.coverage), c.first ? c.first.join(', ') : missing,
+    ...(c.compared > 0 ? [whole(c.max), fixed(c.rms, 3), decibel(c.psnr, c.differing)]
+                       : [missing, missing, missing])]);
   return table('Comparisons', head, rows);
 }
 

@@ -158,6 +158,8 @@ expect 5 "warning" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D factoriz
 # S03
 expect 1 "undersampled" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" \
     -D materials.phong.modified_phong.exponent=100000
+expect 1 "coarse8: the picture is empty" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D 'presets=["gl13","coarse8"]'
+expect 1 "coarse8  exact            0         0" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D 'presets=["gl13","coarse8"]'
 expect 1 "no pixel of any object is visible" "$twofold" run "$lobe" -o "$work/w" "${small[@]}" -D objects.0.scale=1e-6
 
 # T11: a unit without a texture, told once for all presets
