@@ -144,6 +144,8 @@ const ReportComparison* subject(const Report& report) {
 std::string summary_sentence(const Report& report) {
     const ReportComparison* whole = subject(report);
     if (!whole) return "No picture was compared with the exact one.";
+    if (whole->difference.pixels_compared == 0)
+        return whole->picture + " has no pixel in common with the exact picture.";
     const std::string first = fmt::format("{} differs from exact by {:.2f} of 255 steps RMS",
                                           whole->picture, whole->difference.rms_steps);
     const ReportComparison* arithmetic = find_comparison(report, whole->picture, "ideal64");

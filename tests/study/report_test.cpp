@@ -29,6 +29,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 
 ReportComparison comparison(const std::string& picture, const std::string& reference, double rms) {
     ReportComparison c{picture, reference, {}, {}};
+    c.difference.pixels_compared = 100;
     c.difference.rms_steps = rms;
     return c;
 }
@@ -126,6 +127,9 @@ TEST_CASE("the summary makes do with the comparisons that there are") {
     CHECK(summary_sentence(report) == "ideal64 differs from exact by 2.00 of 255 steps RMS.");
     report.comparisons = {comparison("nv17", "ideal64", 2.0)};
     CHECK(summary_sentence(report) == "No picture was compared with the exact one.");
+    report.comparisons = {comparison("coarse8", "exact", 0.0)};
+    report.comparisons[0].difference.pixels_compared = 0;
+    CHECK(summary_sentence(report) == "coarse8 has no pixel in common with the exact picture.");
 }
 
 TEST_CASE("the same report gives the same page") {
