@@ -34,6 +34,12 @@ function comparison_table(data) {
   return table('Comparisons', head, rows);
 }
 
+function difference_in_words(c) {
+  if (c.compared === 0) return ['no pixel in common'];
+  return [element('strong', {}, fixed(c.rms, 2)), ' steps RMS, at most ',
+          element('strong', {}, whole(c.max))];
+}
+
 // Choosing a card shows its pair in the large picture.
 function comparison_card(data, viewer, c) {
   const alt = `Heat map of ${c.picture} against ${c.reference}, full scale ${c.fullScale} steps`;
@@ -43,8 +49,7 @@ function comparison_card(data, viewer, c) {
   return element(
       'article', {class: 'card'},
       element('h3', {}, c.picture, element('span', {class: 'against'}, ' against '), c.reference),
-      element('p', {class: 'figures'}, element('strong', {}, fixed(c.rms, 2)),
-              ' steps RMS, at most ', element('strong', {}, whole(c.max))),
+      element('p', {class: 'figures'}, ...difference_in_words(c)),
       heat && element('div', {class: 'heat-map'}, heat),
       histogram(c),
       element('p', {class: 'caption'}, 'Pixels by difference in steps'),
