@@ -71,7 +71,7 @@ class Custom : public Nv17 {
     Color<int> texel(const Texel& t) const {
         return {texel_channel(t, 0), texel_channel(t, 1), texel_channel(t, 2), texel_channel(t, 3)};
     }
-    int expand(int v, int bits) const { return from_byte(Nv17::expand(v, bits)); }
+    int expand(int v, int bits) const { return texel_byte(Nv17::expand(v, bits)); }
     int constant(double c) const { return from_byte(Nv17::constant(c)); }
 
     int filter(int t00, int t10, int t01, int t11, double a, double b) const;
@@ -117,10 +117,12 @@ class Custom : public Nv17 {
     int from_byte(int byte) const { return byte << fraction_bits(); }
     bool real_framebuffer() const { return settings_.framebuffer_bits == 0; }
     int texel_of(double x) const;
+    int texel_byte(int byte) const {
+        return settings_.texel_bits == 8 ? from_byte(byte) : texel_of(byte / 255.0);
+    }
     int texel_channel(Rgba8 t, int c) const {
         const std::array<std::uint8_t, 4> bytes{t.r, t.g, t.b, t.a};
-        const int byte = bytes[static_cast<std::size_t>(c)];
-        return settings_.texel_bits == 8 ? from_byte(byte) : texel_of(byte / 255.0);
+        return texel_byte(bytes[static_cast<std::size_t>(c)]);
     }
     int texel_channel(const Rgba32f& t, int c) const {
         return texel_of(static_cast<double>(t[static_cast<std::size_t>(c)]));

@@ -270,3 +270,16 @@ TEST_CASE("with everything wide a product keeps what the registers hold", "[cust
     CHECK(c.blend_subtract(51.0, 127.5, 102.0, 255.0) == 0.0);
     CHECK(c.to_unorm8(84.5) == 85);
 }
+
+TEST_CASE("a byte of a packed texel is rounded to the texels' bits as any other") {
+    for (int bits = 4; bits <= 16; ++bits) {
+        const Custom m = with(&CustomSettings::texel_bits, bits);
+        int wrong = 0;
+        for (int k = 0; k < 256; ++k) {
+            const Rgba8 texel{static_cast<std::uint8_t>(k), 0, 0, 0};
+            wrong += m.expand(k, 8) != m.texel(texel)[0];
+        }
+        CHECK(wrong == 0);
+        CHECK(m.expand(31, 5) == m.one());
+    }
+}

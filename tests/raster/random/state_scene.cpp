@@ -107,6 +107,13 @@ Mesh background_mesh(int width, int height) {
     return mesh;
 }
 
+/// Whether a texel that replaces a pixel is the byte that it was in the file.
+bool keeps_bytes(const RandomState& state) {
+    const CustomSettings& s = state.custom;
+    return state.preset != Preset::custom ||
+           (s.texel_bits == 8 && (s.framebuffer_bits == 0 || s.framebuffer_bits == 8));
+}
+
 void add_background(const Frame& frame, const std::string& file, StateScene& result) {
     result.background = background_of(frame);
     result.notes.push_back("what the picture holds at the start is a first pass");
@@ -130,7 +137,10 @@ StateScene scene_of(const RandomState& state, const std::string& background_file
         result.scene.meshes[mesh_name(i)] = InlineMesh{frame.meshes[i]};
     for (std::size_t i = 0; i < frame.textures.size(); ++i)
         result.scene.textures[texture_name(i)] = texture_spec(frame.textures[i], result.notes);
-    if (needs_background(frame)) add_background(frame, background_file, result);
+    if (needs_background(frame)) {
+        add_background(frame, background_file, result);
+        if (!keeps_bytes(state)) result.notes.emplace_back(background_is_rounded);
+    }
     for (const Pass& pass : frame.passes) result.scene.passes.push_back(scene_pass(pass));
     return result;
 }

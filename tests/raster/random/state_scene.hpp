@@ -11,10 +11,13 @@
 namespace twofold::test {
 
 inline constexpr std::string_view floats_became_bytes = "texels of floats became bytes";
+inline constexpr std::string_view background_is_rounded =
+    "what the picture holds at the start is rounded as the preset's texels and pixels are";
 
 /// The frame as explicit passes over inline meshes and textures. What the picture holds at the
 /// start becomes a first pass, which draws the texture `background` (a file beside the scene) as it
-/// is. Texels of floats that are no chequer become bytes; `notes` says what was changed.
+/// is, but for custom's roundings of texels and pixels. Texels of floats that are no chequer become
+/// bytes; `notes` says what was changed.
 struct StateScene {
     Scene scene;
     std::optional<ByteImage> background;  ///< what the file `background` is to hold

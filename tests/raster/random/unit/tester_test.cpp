@@ -41,7 +41,7 @@ std::uint64_t first_fault() {
 std::optional<RandomState> through_a_file(const RandomState& state, const TemporaryFolder& folder) {
     try {
         for (const std::string& note : write_state(state, folder.path(), "state"))
-            if (note == floats_became_bytes) return std::nullopt;
+            if (note == floats_became_bytes || note == background_is_rounded) return std::nullopt;
         return read_state(state, folder / "state.json");
     } catch (const Error&) {
         return std::nullopt;
@@ -127,7 +127,7 @@ TEST_CASE(
 TEST_CASE("the scene of a random state draws the state's own picture") {
     const TemporaryFolder folder;
     int compared = 0;
-    for (std::uint64_t i = 0; i < 140; ++i) {
+    for (std::uint64_t i = 0; i < 280; ++i) {
         const RandomState state = random_state(seed, i);
         const auto again = through_a_file(state, folder);
         if (!again) continue;
@@ -136,5 +136,5 @@ TEST_CASE("the scene of a random state draws the state's own picture") {
         CHECK_FALSE(mismatch);
         ++compared;
     }
-    CHECK(compared > 100);
+    CHECK(compared > 200);
 }
