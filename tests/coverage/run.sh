@@ -12,8 +12,9 @@ cmake --build $build -j "$(nproc)" ${libraries[0]:+--target "${libraries[@]/#/te
 find $build -name '*.gcda' -delete
 failed() { echo "tests failed; their lines count all the same"; }
 source tests/programs.sh
-[ ${#libraries[@]} -eq 0 ] || programs=("${libraries[@]}")
-for program in "${programs[@]}"; do "$build/tests/test_$program" | tail -n 3 || failed; done
+programs=("${libraries[@]/#/$build/tests/test_}")
+[ ${#libraries[@]} -gt 0 ] || mapfile -t programs < <(programs_in $build)
+for program in "${programs[@]}"; do "$program" | tail -n 3 || failed; done
 [ ${#libraries[@]} -gt 0 ] ||
     ctest --test-dir $build -j "$(nproc)" "${besides[@]}" | tail -n 5 || failed
 tests/coverage/lines.py $build "${libraries[@]}"

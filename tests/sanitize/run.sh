@@ -33,32 +33,33 @@ check() {
     tail -n 40 "$build/output"
 }
 
+# check_programs BUILD [COMMAND ...]: all test programs, each run by the command.
 check_programs() {
-    for program in "${programs[@]}"; do check "$@" "$build/tests/test_$program"; done
+    local folder=$1
+    shift
+    for program in $(programs_in "$folder"); do check "$@" "$program"; done
 }
 
 case $tool in
     address)
         export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
         build_all "-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
-        check_programs
-        # Of the checks none runs what is instrumented here.
+        check_programs "$build"
         check ctest --test-dir "$build" -j "$(nproc)" --output-on-failure "${besides[@]}"
         ;;
     thread)
         export TSAN_OPTIONS="halt_on_error=1 exitcode=66"
         build_all "-O1 -fsanitize=thread" -DCMAKE_PROJECT_INCLUDE="$PWD/tests/sanitize/plain_threads.cmake"
-        check_programs
+        check_programs "$build"
         check "$build/fast_equals_reference" --count 1000 --all-options -o "$build/failures"
         rm -rf "$build/study"
         check "$build/twofold" study scenes/sphere-lobe.json --study tests/study/tiny_study.json -j 7 -q -o "$build/study"
         ;;
     valgrind)
-        mkdir -p "$build/tests"
+        mkdir -p "$build"
         cmake --preset release -DTWOFOLD_TESTS=ON >/dev/null
-        cmake --build --preset release -j "$(nproc)" --target "${programs[@]/#/test_}" | tail -n 1
-        cp -f "${programs[@]/#/build/release/tests/test_}" "$build/tests/"
-        check_programs valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite
+        cmake --build --preset release -j "$(nproc)" | tail -n 1
+        check_programs build/release valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite
         ;;
     *) echo "usage: $0 address|thread|valgrind" >&2; exit 2 ;;
 esac
