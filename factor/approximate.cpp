@@ -10,12 +10,19 @@ namespace twofold {
 
 namespace {
 
+std::optional<FactoredLighting> shortcut(const Brdf& brdf, const DistantLights& lights,
+                                         const LightingSamples& judged,
+                                         const FactorSettings& settings, double white,
+                                         int threads) {
+    if (!settings.shortcuts) return std::nullopt;
+    return closed_form(brdf, lights, judged, settings, white, threads);
+}
+
 FactoredLighting product(const Brdf& brdf, const DistantLights& lights,
                          const MaterialSamples& samples, const FactorSettings& settings,
                          double white, int threads) {
-    if (settings.shortcuts)
-        if (auto known = closed_form(brdf, lights, samples.held_out, settings, white, threads))
-            return *std::move(known);
+    if (auto known = shortcut(brdf, lights, samples.held_out, settings, white, threads))
+        return *std::move(known);
     return factorize(samples.fit, samples.held_out, settings, white, threads);
 }
 
@@ -37,6 +44,14 @@ FactoredLighting approximate(const Brdf& brdf, const DistantLights& lights,
             break;
     }
     return product(brdf, lights, samples, settings, white, threads);
+}
+
+FactoredLighting approximate_product(const Brdf& brdf, const DistantLights& lights, FitSamples fit,
+                                     const LightingSamples& judged, double white, int threads) {
+    const FactorSettings settings = fit.settings();
+    if (auto known = shortcut(brdf, lights, judged, settings, white, threads))
+        return *std::move(known);
+    return factorize(std::move(fit), judged, white, threads);
 }
 
 }  // namespace twofold

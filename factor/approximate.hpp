@@ -14,4 +14,9 @@ FactoredLighting approximate(const Brdf& brdf, const DistantLights& lights,
                              const MaterialSamples& samples, const FactorSettings& settings,
                              double white, int threads);
 
+/// The same where the model is the product of two maps, for samples that were added in batches.
+/// @param judged pairs for the error figures
+FactoredLighting approximate_product(const Brdf& brdf, const DistantLights& lights, FitSamples fit,
+                                     const LightingSamples& judged, double white, int threads);
+
 }  // namespace twofold

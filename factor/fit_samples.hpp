@@ -23,6 +23,8 @@ class FitSamples {
     void add(const LightingSamples& batch, int threads);
 
     const FactorSettings& settings() const { return settings_; }
+    /// Of what was added so far, by channel, in any order.
+    const std::array<Vector, 3>& radiance() const { return radiance_; }
 
     /// What the fit is made of, moved out.
     struct Parts {

@@ -3,94 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "factor/approximate.hpp"
-#include "factor/directions.hpp"
-#include "factor/lighting.hpp"
 #include "scenes/camera.hpp"
 #include "scenes/measured_file.hpp"
 #include "scenes/surface_samples.hpp"
-#include "texunit/error.hpp"
 #include "texunit/exact_math.hpp"
-#include "texunit/image_file.hpp"
 
 namespace twofold {
 namespace {
-
-/// Stretches of the direction sequence: no pair is in two of them.
-constexpr std::uint64_t fit_sequence = 0, held_out_sequence = 1, averaging_sequence = 2;
-
-/// Views over which the averaging of the environment is judged; each sums over every texel.
-constexpr int averaging_views = 64;
-
-EnvironmentSettings settings_of(const EnvironmentSpec& spec) {
-    EnvironmentSettings settings{.cells = spec.cells};
-    if (const auto* file = std::get_if<EnvironmentFile>(&spec.source)) {
-        settings.repair = file->repair;
-        settings.form = file->form;
-        settings.guard = file->guard;
-    }
-    return settings;
-}
-
-SceneLights averaged(FloatImage picture, EnvironmentSettings settings, const std::string& name) {
-    Environment environment = environment_of(picture, settings, name);
-    return {std::move(environment.lights), std::move(picture), environment.report, {}};
-}
-
-struct LightsMaker {
-    const Scene& scene;
-
-    SceneLights operator()(const EnvironmentFile& file) const {
-        const auto path = std::filesystem::path(scene.directory) / file.path;
-        ReadImage read = read_float_image(path);
-        SceneLights lights =
-            averaged(std::move(read.image), settings_of(*scene.environment), path.string());
-        lights.lights = placed(std::move(lights.lights), file.placement);
-        lights.notes = std::move(read.notes);
-        return lights;
-    }
-    SceneLights operator()(const PaintedLatLong& painted) const {
-        return averaged(paint(painted.environment, painted.width, painted.height),
-                        settings_of(*scene.environment), "painted environment");
-    }
-    SceneLights operator()(const DirectionalLights& directional) const {
-        return {bound_blocks(directional_lights(directional.lights)), std::nullopt, {}, {}};
-    }
-};
-
-LightingSamples sample(const Brdf& brdf, const DistantLights& lights, int count,
-                       std::uint64_t sequence, int threads) {
-    LightingSamples samples{surface_views(count, sequence), {}};
-    samples.radiance = outgoing_radiance(brdf, lights, samples.at, threads);
-    return samples;
-}
-
-/// Fewer lights are summed as they are.
-constexpr std::size_t least_clustered_lights = 256;
-
-struct Sampled {
-    MaterialSamples samples;
-    std::optional<ClusterReport> clustered;
-};
-
-/// Samples of the fit and pairs held out of it, by the sum that the settings name.
-Sampled material_samples(const Brdf& brdf, const DistantLights& lights,
-                         const FactorSettings& settings, int threads) {
-    if (settings.lighting_sum == LightingSum::full || lights.size() <= least_clustered_lights)
-        return {{sample(brdf, lights, settings.samples, fit_sequence, threads),
-                 sample(brdf, lights, settings.held_out, held_out_sequence, threads)},
-                std::nullopt};
-    const ClusteredLighting clustered(brdf, lights, settings.lighting_tolerance, threads);
-    const auto merged = [&](int count, std::uint64_t sequence) {
-        LightingSamples samples{surface_views(count, sequence), {}};
-        samples.radiance = clustered.radiance(samples.at, threads);
-        return samples;
-    };
-    return {{merged(settings.samples, fit_sequence), merged(settings.held_out, held_out_sequence)},
-            clustered.report()};
-}
 
 /// The materials that objects use, measured ones loaded.
 std::map<std::string, Brdf> used_materials(const Scene& scene, int threads) {
@@ -174,53 +95,68 @@ SampledScene with_surfaces(SampledScene sampled, const Scene& scene, int threads
     return sampled;
 }
 
-}  // namespace
-
-SceneLights make_lights(const Scene& scene) {
-    if (!scene.environment)
-        throw Error(ExitCode::failure, "environment: needed by the scene's objects, but missing");
-    return std::visit(LightsMaker{scene}, scene.environment->source);
-}
-
-double averaging_cost(const Scene& scene, const SceneLights& lights, const Brdf& brdf,
-                      int threads) {
-    if (!lights.picture) return 0.0;
-    EnvironmentSettings settings = settings_of(*scene.environment);
-    settings.repair = true;
-    const auto views = surface_views(averaging_views, averaging_sequence);
-    return averaging_cost(brdf, *lights.picture, settings, views, threads);
-}
-
-double white_radiance(const WhitePoint& white,
-                      const std::map<std::string, MaterialSamples>& samples) {
-    if (white.radiance) return *white.radiance;
-    std::vector<double> largest;
-    for (const auto& [name, s] : samples)
-        for (const Rgb& radiance : s.fit.radiance) largest.push_back(max_component(radiance));
-    if (largest.empty()) return 1.0;
-    std::stable_sort(largest.begin(), largest.end());
-    const double last = static_cast<double>(largest.size() - 1);
-    const double value = largest[static_cast<std::size_t>(white.percentile / 100.0 * last)];
-    return value > 0.0 ? value : 1.0;
-}
-
-SampledScene sample_scene(const Scene& scene, int threads, const StepListener& listen) {
+/// What samples are made of: lights and materials.
+SampledScene lights_and_materials(const Scene& scene, int threads, const StepListener& listen) {
     SampledScene sampled;
     if (scene.objects.empty()) return sampled;
     listen("environment");
     sampled.lights = make_lights(scene);
     sampled.about_maps = lights_about_maps(scene, sampled.lights.lights);
-    const FactorSettings& settings = scene.factorization;
     listen("materials");
     sampled.brdfs = used_materials(scene, threads);
-    if (settings.model == Model::slf)
-        return with_surfaces(std::move(sampled), scene, threads, listen);
+    return sampled;
+}
+
+/// Calls keep(name, sampler) for each material.
+template <class Keep>
+void sample_materials(SampledScene& sampled, const FactorSettings& settings, int threads,
+                      const StepListener& listen, const Keep& keep) {
     for (const auto& [name, brdf] : sampled.brdfs) {
         listen("sample " + name);
-        Sampled made = material_samples(brdf, sampled.about_maps, settings, threads);
-        sampled.samples[name] = std::move(made.samples);
-        if (made.clustered) sampled.clustered[name] = *made.clustered;
+        const MaterialSampler sampler(brdf, sampled.about_maps, settings, threads);
+        keep(name, sampler);
+        if (const auto report = sampler.report()) sampled.clustered[name] = *report;
     }
+}
+
+void add_material(LitScene& lit, const std::string& name, FactoredLighting lighting, int map_size) {
+    for (std::string& w : sampling_warnings(lit.brdfs.at(name), map_size))
+        lighting.warnings.push_back(std::move(w));
+    lit.materials.emplace(name, std::move(lighting));
+}
+
+/// Samples are placed in the maps as they are made, and leave as they are fitted.
+LitScene light_products(const Scene& scene, int threads, const StepListener& listen) {
+    const FactorSettings& settings = scene.factorization;
+    SampledScene sampled = lights_and_materials(scene, threads, listen);
+    std::map<std::string, FitSamples> placed;
+    sample_materials(sampled, settings, threads, listen,
+                     [&](const std::string& name, const MaterialSampler& sampler) {
+                         placed.emplace(name, sampler.placed());
+                         sampled.samples[name].held_out = sampler.held_out();
+                     });
+    const double white = white_radiance(scene.white, placed);
+    LitScene lit{sampled.lights, white, sampled.brdfs, {}, sampled.clustered};
+    for (auto& [name, fit] : placed) {
+        listen("factor " + name);
+        add_material(lit, name,
+                     approximate_product(lit.brdfs.at(name), sampled.about_maps, std::move(fit),
+                                         sampled.samples.at(name).held_out, white, threads),
+                     settings.map_size);
+    }
+    return lit;
+}
+
+}  // namespace
+
+SampledScene sample_scene(const Scene& scene, int threads, const StepListener& listen) {
+    SampledScene sampled = lights_and_materials(scene, threads, listen);
+    if (scene.factorization.model == Model::slf)
+        return with_surfaces(std::move(sampled), scene, threads, listen);
+    sample_materials(sampled, scene.factorization, threads, listen,
+                     [&](const std::string& name, const MaterialSampler& sampler) {
+                         sampled.samples[name] = {sampler.fitted(), sampler.held_out()};
+                     });
     return sampled;
 }
 
@@ -249,14 +185,13 @@ LitScene factor_scene(const Scene& scene, const SampledScene& sampled, double wh
                 ? factor_surface(sampled.surfaces.at(name), settings, lit.white, threads)
                 : approximate(lit.brdfs.at(name), sampled.about_maps, s, settings, lit.white,
                               threads);
-        for (std::string& w : sampling_warnings(lit.brdfs.at(name), settings.map_size))
-            lighting.warnings.push_back(std::move(w));
-        lit.materials.emplace(name, std::move(lighting));
+        add_material(lit, name, std::move(lighting), settings.map_size);
     }
     return lit;
 }
 
 LitScene light_scene(const Scene& scene, int threads, const StepListener& listen) {
+    if (scene.factorization.model == Model::product) return light_products(scene, threads, listen);
     const SampledScene sampled = sample_scene(scene, threads, listen);
     return factor_scene(scene, sampled, white_radiance(scene.white, sampled.samples), threads,
                         listen);
