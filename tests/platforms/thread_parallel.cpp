@@ -3,12 +3,13 @@
 #ifndef __wasi__
 #include <algorithm>
 #include <atomic>
-#include <thread>
+#include <future>
 #include <vector>
 #endif
 
 /// In place of texunit/parallel.cpp where there is no oneTBB: plain threads, which take the next
-/// number that no other took. Where there are no threads either, one does all.
+/// number that no other took; an exception reaches the caller. Where there are no threads either,
+/// one does all.
 namespace twofold {
 
 #ifdef __wasi__
@@ -21,11 +22,12 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     const auto work = [&] {
         for (std::size_t i = next++; i < count; i = next++) body(i);
     };
-    std::vector<std::thread> others;
+    std::vector<std::future<void>> others;  // which wait where an exception ends the loop early
     const auto wanted = threads > 0 ? static_cast<std::size_t>(threads) : std::size_t{2};
-    for (std::size_t k = 1; k < std::min(wanted, count); ++k) others.emplace_back(work);
+    for (std::size_t k = 1; k < std::min(wanted, count); ++k)
+        others.push_back(std::async(std::launch::async, work));
     work();
-    for (std::thread& other : others) other.join();
+    for (std::future<void>& other : others) other.get();
 }
 #endif
 

@@ -53,7 +53,8 @@ case $tool in
         check_programs "$build"
         check "$build/fast_equals_reference" --count 1000 --all-options -o "$build/failures"
         rm -rf "$build/study"
-        check "$build/twofold" study scenes/sphere-lobe.json --study tests/study/tiny_study.json -j 7 -q -o "$build/study"
+        # One of its cells cannot be drawn on purpose: exit code 1.
+        check bash -c '"$@" || [ $? -eq 1 ]' study "$build/twofold" study scenes/sphere-lobe.json --study tests/study/tiny_study.json -j 7 -q -o "$build/study"
         ;;
     valgrind)
         mkdir -p "$build"
