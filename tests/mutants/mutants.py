@@ -157,11 +157,11 @@ TRIANGLES = [
 
 FACTORS = [
     factor("qmr-breakdown", "breakdowns are found by exact zeros", "qmr.cpp",
-           "if (std::fabs(s.delta) <= t) return", "if (std::fabs(s.delta) <= 0.0) return", "qmr",
-           only="*QMR ends*,*all 512*"),
+           "if (std::fabs(s.delta) <= t) return", "if (std::fabs(s.delta) <= 0.0) return",
+           "qmr_small_systems", "qmr", only="*QMR ends*,*all 512*"),
     factor("qmr-residual", "the recurrence's residual is believed", "qmr.cpp",
-           "if (!progress_->prefers(true_residual, start_residual_)) {", "if (false) {", "qmr",
-           only="*a recurrence*,*all 512*"),
+           "if (!progress_->prefers(true_residual, start_residual_)) {", "if (false) {",
+           "qmr_small_systems", "qmr", only="*a recurrence*,*all 512*"),
     factor("lsmr-rotation", "a rotation of LSMR has the wrong sign", "lsmr.cpp",
            "zeta_bar_ = -s_bar_ * zeta_bar_;", "zeta_bar_ = s_bar_ * zeta_bar_;", "lsmr", "solve"),
     factor("row-weight", "samples are weighted by the wrong mean", "channel_rows.cpp",
