@@ -57,7 +57,7 @@ BYTES = [
     unit("depth-wraps", "depth 1 is not held back", "real_model.hpp",
          "return static_cast<std::uint32_t>(z < 1.0 ? z * steps + 0.5 : steps);",
          "return static_cast<std::uint32_t>(z * steps + 0.5) & ((1u << bits) - 1);",
-         "numeric_model"),
+         "colour_and_pixel_laws"),
 ]
 
 NUMBERS = [
@@ -129,14 +129,14 @@ TEXTURES = [
 
 TRIANGLES = [
     raster("edge-rule", "every edge holds its points", "setup.hpp",
-           "value >= (holds_its_points ? 0 : 1)", "value >= 0", "setup", "hard_cases",
+           "value >= (holds_its_points ? 0 : 1)", "value >= 0", "setup", "hard_coverage",
            also=("raster/reference.cpp",), only="*hold their points,R03*,R04*"),
     raster("edge-rule-right", "right edges hold their points, left ones do not", "setup.hpp",
            "left = dy < 0;", "left = dy > 0;", "setup"),
     raster("int32-edges", "edge functions in 32 bits", "setup.hpp",
            "return a * p.x + b * p.y + c; }",
            "return static_cast<std::int32_t>(static_cast<std::uint32_t>(a * p.x + b * p.y + c)); }",
-           "hard_cases", only="R11*"),
+           "hard_coverage", only="R11*"),
     raster("first-pixel", "the first pixel of a row is one late", "coverage.hpp",
            "return (x - half + (std::int64_t{1} << fraction_bits) - 1) >> fraction_bits;",
            "return (x - half + (std::int64_t{1} << fraction_bits)) >> fraction_bits;", "coverage"),
