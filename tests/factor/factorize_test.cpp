@@ -2,33 +2,15 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 
-#include "factor_cases.hpp"
-#include "texunit/error.hpp"
+#include "factorize_fixtures.hpp"
 
 using namespace twofold;
+using namespace twofold::cases;
 
 namespace {
 
 using Catch::Matchers::Contains;
-
-FactorSettings map_of(int size) {
-    FactorSettings settings;
-    settings.map_size = size;
-    return settings;
-}
-
-/// One channel of a factor's float images, front then back.
-std::vector<double> texels_of(const FactorMap& map, std::size_t channel) {
-    std::vector<double> texels;
-    for (const Texture& face : map.real) {
-        for (const Rgba32f& texel : std::get<std::vector<Rgba32f>>(face.texels)) {
-            texels.push_back(static_cast<double>(texel[channel]));
-        }
-    }
-    return texels;
-}
 
 std::vector<Rgba8> bytes_of(const FactorMap& map) {
     std::vector<Rgba8> bytes;
@@ -37,23 +19,6 @@ std::vector<Rgba8> bytes_of(const FactorMap& map) {
         bytes.insert(bytes.end(), texels.begin(), texels.end());
     }
     return bytes;
-}
-
-/// The product as drawn, before clamping, in units of radiance.
-double drawn(const FactoredLighting& result, const SurfaceView& at, std::size_t channel) {
-    const auto i = static_cast<int>(channel);
-    return result.terms[0].max1[i] * result.terms[0].max2[i] *
-           filtered(texels_of(result.terms[0].t1, channel),
-                    footprint_of(pi_1(at), result.terms[0].t1.shape)) *
-           filtered(texels_of(result.terms[0].t2, channel),
-                    footprint_of(pi_2(at), result.terms[0].t2.shape));
-}
-
-/// 99th percentile of a channel of samples.
-double white_of(const LightingSamples& samples) {
-    std::vector<double> values = channel_of(samples.radiance, 0);
-    std::stable_sort(values.begin(), values.end());
-    return values[values.size() * 99 / 100];
 }
 
 /// PSNR in dB of the red product against the samples, linear, both clipped at white.
@@ -71,19 +36,6 @@ double psnr(const FactoredLighting& result, const LightingSamples& samples) {
         sum += difference * difference;
     }
     return -10.0 * std::log10(sum / static_cast<double>(samples.at.size()));
-}
-
-FactoredLighting factored_phong(const FactorSettings& settings, int samples, int threads = 2) {
-    const LightingSamples held_out = cases::samples_of({}, 20000, 2);
-    return factorize(cases::samples_of({}, samples, 1), held_out, settings, white_of(held_out),
-                     threads);
-}
-
-bool any_contains(const std::vector<std::string>& warnings, const std::string& part) {
-    for (const std::string& warning : warnings) {
-        if (warning.find(part) != std::string::npos) return true;
-    }
-    return false;
 }
 
 }  // namespace
@@ -181,18 +133,6 @@ TEST_CASE("QMR and LSMR lead to the same factors") {
     CHECK(bytes_of(qmr.terms[0].t2) == bytes_of(lsmr.terms[0].t2));
 }
 
-TEST_CASE("F09 one sample is reproduced and fills both maps", "[hard][F09]") {
-    LightingSamples one = cases::samples_of({}, 1, 1);
-    one.radiance[0] = Rgb(3.0, 0.25, 1.0);
-    const FactoredLighting result = factorize(one, {}, map_of(8), 1.0, 1);
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double expected = one.radiance[0][static_cast<int>(c)];
-        CHECK(drawn(result, one.at[0], c) == Approx(expected).epsilon(1e-14));
-        for (const double texel : texels_of(result.terms[0].t1, c)) CHECK(texel == Approx(1.0));
-    }
-    CHECK(any_contains(result.warnings, "fewer than 10"));
-}
-
 TEST_CASE("samples that come in batches give the bits of those that come at once") {
     const LightingSamples all = cases::samples_of({}, 9000, 1);
     const LightingSamples judged = cases::samples_of({}, 1000, 2);
@@ -228,13 +168,6 @@ TEST_CASE("a fit of batches has the number of samples that was announced") {
     CHECK_THROWS_WITH(FitSamples(map_of(0), 10), Contains("map_size"));
 }
 
-TEST_CASE("F10 an empty set of samples is refused", "[hard][F10]") {
-    CHECK_THROWS_WITH(factorize({}, {}, map_of(8), 1.0, 1), Contains("no samples"));
-    LightingSamples uneven = cases::samples_of({}, 10, 1);
-    uneven.radiance.pop_back();
-    CHECK_THROWS_AS(factorize(uneven, {}, map_of(8), 1.0, 1), Error);
-}
-
 TEST_CASE("settings out of range are refused by name") {
     const LightingSamples samples = cases::samples_of({}, 100, 1);
     const auto refuse = [&](auto change, const std::string& name) {
@@ -247,112 +180,6 @@ TEST_CASE("settings out of range are refused by name") {
     refuse([](FactorSettings& s) { s.floor = 0.0; }, "floor");
     refuse([](FactorSettings& s) { s.smoothness = std::nan(""); }, "smoothness");
     CHECK_THROWS_WITH(factorize(samples, {}, map_of(8), std::nan(""), 1), Contains("white"));
-}
-
-TEST_CASE("F11 Q01 a black channel is 0 and leaves the others alone, byte for byte",
-          "[hard][F11][Q01]") {
-    LightingSamples samples = cases::samples_of({}, 10000, 1);
-    const FactoredLighting grey = factorize(samples, {}, map_of(8), 1.0, 2);
-    for (Rgb& rgb : samples.radiance) rgb.x = 0.0;
-    const FactoredLighting no_red = factorize(samples, {}, map_of(8), 1.0, 2);
-    CHECK(no_red.terms[0].c.x == 0.0);
-    CHECK(no_red.terms[0].scale_color.x == 0.0);
-    CHECK(no_red.terms[0].max1.x == 0.0);
-    for (const double texel : texels_of(no_red.terms[0].t1, 0)) CHECK(texel == 0.0);
-    for (const double texel : texels_of(no_red.terms[0].t2, 0)) CHECK(texel == 0.0);
-    for (const std::size_t c : {1U, 2U}) {
-        CHECK(texels_of(no_red.terms[0].t1, c) == texels_of(grey.terms[0].t1, c));
-        CHECK(texels_of(no_red.terms[0].t2, c) == texels_of(grey.terms[0].t2, c));
-    }
-    CHECK(no_red.fit[0].solver.iterations == 0);
-    CHECK(no_red.fit[0].relative_rms == 0.0);
-
-    for (Rgb& rgb : samples.radiance) rgb = Rgb(0.0);
-    const FactoredLighting black = factorize(samples, {}, map_of(8), 0.0, 2);
-    CHECK(black.terms[0].scale_color == Rgb(0.0));
-}
-
-TEST_CASE("F12 contradictory samples of one pair meet at their mean in the logarithm",
-          "[hard][F12]") {
-    LightingSamples samples = cases::samples_of({}, 1, 1);
-    samples.at.push_back(samples.at[0]);
-    samples.radiance = {Rgb(1.0), Rgb(4.0)};
-    FactorSettings settings = map_of(8);
-    settings.row_weight = 0.0;
-    settings.cap = 0.0;
-    const FactoredLighting result = factorize(samples, {}, settings, 1.0, 1);
-    CHECK(drawn(result, samples.at[0], 0) == Approx(2.0).epsilon(1e-14));
-}
-
-TEST_CASE("F23 constant radiance converges at the start with constant factors", "[hard][F23]") {
-    for (const double value : {1.0, std::exp(3.0)}) {
-        for (const Solver solver : {Solver::qmr, Solver::lsmr}) {
-            FactorSettings settings = map_of(8);
-            settings.solver = solver;
-            const FactoredLighting result = factorize(
-                cases::samples_of_function(3000, 1, [&](const SurfaceView&) { return Rgb(value); }),
-                {}, settings, 100.0, 1);
-            CHECK(result.fit[0].solver.status == SolverStatus::converged);
-            CHECK(result.fit[0].solver.iterations == 0);
-            CHECK(result.fit[0].relative_rms < 1e-14);
-            for (const double texel : texels_of(result.terms[0].t1, 0)) CHECK(texel == Approx(1.0));
-        }
-    }
-}
-
-TEST_CASE("F02 non-finite samples are left out and counted, channel by channel", "[hard][F02]") {
-    LightingSamples samples = cases::samples_of({}, 5000, 1);
-    samples.radiance[7].y = std::numeric_limits<double>::quiet_NaN();
-    samples.radiance[8].y = -5.0;
-    const FactoredLighting result = factorize(samples, {}, map_of(8), 1.0, 1);
-    CHECK(result.fit[0].counts.non_finite == 0);
-    CHECK(result.fit[1].counts.non_finite == 1);
-    CHECK(result.fit[1].counts.negative == 1);
-    CHECK(result.fit[1].counts.used == 4999);
-    for (const double texel : texels_of(result.terms[0].t1, 1)) CHECK(std::isfinite(texel));
-}
-
-TEST_CASE("F20 Q02 without a regulariser 8 bits lose the picture, and the report says so",
-          "[hard][F20][Q02]") {
-    const auto radiance = [](const SurfaceView& at) { return Rgb(cases::sky_and_lamps(at)); };
-    const LightingSamples fit = cases::samples_of_function(40000, 1, radiance);
-    const LightingSamples held_out = cases::samples_of_function(10000, 2, radiance);
-    const double white = white_of(held_out);
-
-    FactorSettings plain = cases::unregularised(32, 0.875);
-    plain.column_scaling = false;
-    plain.solver = Solver::lsmr;
-    plain.tolerance = 0.0;
-    const FactoredLighting bare = factorize(fit, {}, plain, white, 2);
-    CAPTURE(bare.fit[0].relative_rms, bare.fit[0].byte_rms, bare.terms[0].t1.loss[0].zero_share,
-            bare.terms[0].t2.loss[0].zero_share, name_of(bare.fit[0].solver.status));
-    for (const std::string& warning : bare.warnings) UNSCOPED_INFO(warning);
-    CHECK(bare.fit[0].byte_rms > 1.3 * bare.fit[0].relative_rms);
-    CHECK(any_contains(bare.warnings, "stored as 0"));
-    CHECK(any_contains(bare.warnings, "touched by no sample"));
-    CHECK(bare.fit[0].untouched_share == Approx(0.294).margin(0.01));
-
-    // These rows take the mean of four neighbours and count the texels of one map; as the table of
-    // F20 counts, its 0.01, 0.1 and 1 are 4 / sqrt(2) times that here.
-    for (const double smoothness : {0.01, 0.1, 1.0}) {
-        plain.smoothness = smoothness * 4.0 / std::sqrt(2.0);
-        const FactoredLighting smooth = factorize(fit, held_out, plain, white, 2);
-        CAPTURE(smoothness);
-        CHECK(smooth.fit[0].byte_rms < 1.01 * smooth.fit[0].relative_rms);
-        CHECK(smooth.terms[0].t1.loss[0].zero_share < 0.01);
-        CHECK(smooth.terms[0].t2.loss[0].zero_share < 0.01);
-        CHECK_FALSE(any_contains(smooth.warnings, "stored as 0"));
-    }
-}
-
-TEST_CASE("F20 the method to the letter warns that its factors are of no use in 8 bits",
-          "[hard][F20]") {
-    const FactoredLighting result = factored_phong(method_preset(Method::letter), 30000);
-    CHECK(result.fit[0].solver.status == SolverStatus::limit);
-    CHECK(result.fit[0].byte_rms > 1.3 * result.fit[0].relative_rms);
-    CHECK(any_contains(result.warnings, "ended with limit after 200 iterations"));
-    CHECK(any_contains(result.warnings, "touched by no sample"));
-    CHECK(any_contains(result.warnings, "stored as 0"));
 }
 
 TEST_CASE("the method presets differ by what the paper does not say") {

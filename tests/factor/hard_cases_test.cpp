@@ -1,23 +1,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "factor/factorize.hpp"
 #include "factor/first_guess.hpp"
 #include "factor/lighting.hpp"
 #include "factor/vector_arithmetic.hpp"
-#include "factor_cases.hpp"
+#include "factorize_fixtures.hpp"
 
 using namespace twofold;
+using namespace twofold::cases;
 
 namespace {
-
-std::vector<double> texels_of(const FactorMap& map, std::size_t channel) {
-    std::vector<double> texels;
-    for (const Texture& face : map.real)
-        for (const Rgba32f& texel : std::get<std::vector<Rgba32f>>(face.texels))
-            texels.push_back(static_cast<double>(texel[channel]));
-    return texels;
-}
 
 bool finite_everywhere(const FactoredLighting& result) {
     for (const ProductTerm& term : result.terms)
@@ -27,12 +19,6 @@ bool finite_everywhere(const FactoredLighting& result) {
             if (!std::isfinite(result.fit[c].relative_rms)) return false;
         }
     return true;
-}
-
-FactorSettings map_of(int size) {
-    FactorSettings settings;
-    settings.map_size = size;
-    return settings;
 }
 
 /// log of the largest over the smallest value.
@@ -113,6 +99,49 @@ TEST_CASE("F13 channels with different support are factored as if each were alon
             CHECK(grey.fit[0].counts.zero == triple.fit[c].counts.zero);
         }
     }
+}
+
+TEST_CASE("F20 Q02 without a regulariser 8 bits lose the picture, and the report says so",
+          "[hard][F20][Q02]") {
+    const auto radiance = [](const SurfaceView& at) { return Rgb(cases::sky_and_lamps(at)); };
+    const LightingSamples fit = cases::samples_of_function(40000, 1, radiance);
+    const LightingSamples held_out = cases::samples_of_function(10000, 2, radiance);
+    const double white = white_of(held_out);
+
+    FactorSettings plain = cases::unregularised(32, 0.875);
+    plain.column_scaling = false;
+    plain.solver = Solver::lsmr;
+    plain.tolerance = 0.0;
+    const FactoredLighting bare = factorize(fit, {}, plain, white, 2);
+    CAPTURE(bare.fit[0].relative_rms, bare.fit[0].byte_rms, bare.terms[0].t1.loss[0].zero_share,
+            bare.terms[0].t2.loss[0].zero_share, name_of(bare.fit[0].solver.status));
+    for (const std::string& warning : bare.warnings) UNSCOPED_INFO(warning);
+    CHECK(bare.fit[0].byte_rms > 1.3 * bare.fit[0].relative_rms);
+    CHECK(any_contains(bare.warnings, "stored as 0"));
+    CHECK(any_contains(bare.warnings, "touched by no sample"));
+    CHECK(bare.fit[0].untouched_share == Approx(0.294).margin(0.01));
+
+    // These rows take the mean of four neighbours and count the texels of one map; as the table of
+    // F20 counts, its 0.01, 0.1 and 1 are 4 / sqrt(2) times that here.
+    for (const double smoothness : {0.01, 0.1, 1.0}) {
+        plain.smoothness = smoothness * 4.0 / std::sqrt(2.0);
+        const FactoredLighting smooth = factorize(fit, held_out, plain, white, 2);
+        CAPTURE(smoothness);
+        CHECK(smooth.fit[0].byte_rms < 1.01 * smooth.fit[0].relative_rms);
+        CHECK(smooth.terms[0].t1.loss[0].zero_share < 0.01);
+        CHECK(smooth.terms[0].t2.loss[0].zero_share < 0.01);
+        CHECK_FALSE(any_contains(smooth.warnings, "stored as 0"));
+    }
+}
+
+TEST_CASE("F20 the method to the letter warns that its factors are of no use in 8 bits",
+          "[hard][F20]") {
+    const FactoredLighting result = factored_phong(method_preset(Method::letter), 30000);
+    CHECK(result.fit[0].solver.status == SolverStatus::limit);
+    CHECK(result.fit[0].byte_rms > 1.3 * result.fit[0].relative_rms);
+    CHECK(any_contains(result.warnings, "ended with limit after 200 iterations"));
+    CHECK(any_contains(result.warnings, "touched by no sample"));
+    CHECK(any_contains(result.warnings, "stored as 0"));
 }
 
 TEST_CASE("Q05 a byte that goes through the logarithm comes back as itself, all 256",

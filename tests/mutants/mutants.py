@@ -57,7 +57,7 @@ BYTES = [
     unit("depth-wraps", "depth 1 is not held back", "real_model.hpp",
          "return static_cast<std::uint32_t>(z < 1.0 ? z * steps + 0.5 : steps);",
          "return static_cast<std::uint32_t>(z * steps + 0.5) & ((1u << bits) - 1);",
-         "numeric_model"),
+         "colour_and_pixel_laws"),
 ]
 
 NUMBERS = [
@@ -129,14 +129,14 @@ TEXTURES = [
 
 TRIANGLES = [
     raster("edge-rule", "every edge holds its points", "setup.hpp",
-           "value >= (holds_its_points ? 0 : 1)", "value >= 0", "setup", "hard_cases",
+           "value >= (holds_its_points ? 0 : 1)", "value >= 0", "setup", "hard_coverage",
            also=("raster/reference.cpp",), only="*hold their points,R03*,R04*"),
     raster("edge-rule-right", "right edges hold their points, left ones do not", "setup.hpp",
            "left = dy < 0;", "left = dy > 0;", "setup"),
     raster("int32-edges", "edge functions in 32 bits", "setup.hpp",
            "return a * p.x + b * p.y + c; }",
            "return static_cast<std::int32_t>(static_cast<std::uint32_t>(a * p.x + b * p.y + c)); }",
-           "hard_cases", only="R11*"),
+           "hard_coverage", only="R11*"),
     raster("first-pixel", "the first pixel of a row is one late", "coverage.hpp",
            "return (x - half + (std::int64_t{1} << fraction_bits) - 1) >> fraction_bits;",
            "return (x - half + (std::int64_t{1} << fraction_bits)) >> fraction_bits;", "coverage"),
@@ -157,11 +157,11 @@ TRIANGLES = [
 
 FACTORS = [
     factor("qmr-breakdown", "breakdowns are found by exact zeros", "qmr.cpp",
-           "if (std::fabs(s.delta) <= t) return", "if (std::fabs(s.delta) <= 0.0) return", "qmr",
-           only="*QMR ends*,*all 512*"),
+           "if (std::fabs(s.delta) <= t) return", "if (std::fabs(s.delta) <= 0.0) return",
+           "qmr_small_systems", "qmr", only="*QMR ends*,*all 512*"),
     factor("qmr-residual", "the recurrence's residual is believed", "qmr.cpp",
-           "if (!progress_->prefers(true_residual, start_residual_)) {", "if (false) {", "qmr",
-           only="*a recurrence*,*all 512*"),
+           "if (!progress_->prefers(true_residual, start_residual_)) {", "if (false) {",
+           "qmr_small_systems", "qmr", only="*a recurrence*,*all 512*"),
     factor("lsmr-rotation", "a rotation of LSMR has the wrong sign", "lsmr.cpp",
            "zeta_bar_ = -s_bar_ * zeta_bar_;", "zeta_bar_ = s_bar_ * zeta_bar_;", "lsmr", "solve"),
     factor("row-weight", "samples are weighted by the wrong mean", "channel_rows.cpp",
