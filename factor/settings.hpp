@@ -30,8 +30,8 @@ enum class MapForm { dual_paraboloid, cube, sphere, hemisphere, chart };
 /// What a map is divided by before it is stored (factor/scale.hpp).
 enum class ScaleRule { maximum, percentile, best_split };
 
-/// How the lighting function is summed at samples and held-out pairs: over every light, or over lights
-/// merged where the lobe cannot tell them apart (factor/clustered_lighting.hpp).
+/// How the lighting function is summed at samples and held-out pairs: over every light, or over
+/// lights merged where the lobe cannot tell them apart (factor/clustered_lighting.hpp).
 enum class LightingSum { full, clustered };
 
 /// Everything that decides the two factor maps, given the samples and the white point.

@@ -26,9 +26,9 @@ constexpr std::size_t max_mesh_triangles = 20'000'000;
 Mesh parse_obj(std::string_view text, const std::string& name);
 Mesh read_obj(const std::filesystem::path& path);
 
-/// The faces of a PLY file, ascii or binary little-endian: element `vertex` with x y z and optional nx ny
-/// nz, element `face` with the list vertex_indices (or vertex_index); other elements and properties
-/// are skipped. Faces and normals as in parse_obj().
+/// The faces of a PLY file, ascii or binary little-endian: element `vertex` with x y z and optional
+/// nx ny nz, element `face` with the list vertex_indices (or vertex_index); other elements and
+/// properties are skipped. Faces and normals as in parse_obj().
 /// @throws Error(bad_file) naming the file and the line, element or value at fault.
 Mesh parse_ply(std::string_view content, const std::string& name);
 Mesh read_ply(const std::filesystem::path& path);

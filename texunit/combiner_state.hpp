@@ -5,8 +5,8 @@
 
 #include "texunit/linear.hpp"
 
-/// State of the register combiners, in the terms of NV_register_combiners. Values are what a scene or a
-/// texture environment declares; combiner.hpp computes with them.
+/// State of the register combiners, in the terms of NV_register_combiners. Values are what a scene
+/// or a texture environment declares; combiner.hpp computes with them.
 /// @source NV_register_combiners specification, 3.8.12
 namespace twofold {
 
@@ -58,7 +58,7 @@ struct CombinerPortion {
     std::array<CombinerInput, 4> input;  ///< A, B, C, D
     std::optional<CombinerRegister> ab_output, cd_output, sum_output;
     bool ab_dot_product = false, cd_dot_product = false;  ///< RGB only
-    bool mux = false;  ///< the sum output is AB if spare0 alpha < 1/2, else CD
+    bool mux = false;                ///< the sum output is AB if spare0 alpha < 1/2, else CD
     bool mux_by_lowest_bit = false;  ///< NV2x: AB if the lowest bit of spare0 alpha is 0, else CD
     CombinerScale scale = CombinerScale::one;
     bool bias_by_negative_one_half = false;
@@ -72,7 +72,8 @@ struct CombinerStage {
     bool operator==(const CombinerStage&) const = default;
 };
 
-/// rgb = min(A B + (1 - A) C + D, 1), alpha = G. Inputs are read by unsigned_identity or unsigned_invert.
+/// rgb = min(A B + (1 - A) C + D, 1), alpha = G. Inputs are read by unsigned_identity or
+/// unsigned_invert.
 struct FinalCombiner {
     CombinerInput a, b, c, d, e, f, g;
     Vec4 constant_color0{0.0}, constant_color1{0.0};

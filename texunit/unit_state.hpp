@@ -14,8 +14,8 @@ namespace twofold {
 /// @source OpenGL 1.3, 2.10.4
 enum class TexGen { none, object_linear, eye_linear, sphere_map, normal_map, reflection_map };
 
-/// The modes of s, t, r, q and the planes of the linear ones. An eye plane is given in eye coordinates, as
-/// OpenGL holds it after specification.
+/// The modes of s, t, r, q and the planes of the linear ones. An eye plane is given in eye
+/// coordinates, as OpenGL holds it after specification.
 struct TexGenState {
     std::array<TexGen, 4> mode{TexGen::none, TexGen::none, TexGen::none, TexGen::none};
     std::array<Vec4, 4> object_plane{Vec4{1, 0, 0, 0}, Vec4{0, 1, 0, 0}, Vec4{0.0}, Vec4{0.0}};
@@ -69,7 +69,8 @@ enum class TextureTarget {
 
 /// A texture unit that is switched on.
 struct TextureUnitState {
-    std::optional<std::size_t> texture;  ///< index into the frame's textures; none reads as white (T11)
+    std::optional<std::size_t>
+        texture;  ///< index into the frame's textures; none reads as white (T11)
     TextureTarget target = TextureTarget::texture_2d;
     TexGenState texgen;
     Mat4 matrix{1.0};  ///< texture matrix, applied to generated coordinates too

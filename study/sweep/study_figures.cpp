@@ -185,10 +185,11 @@ void drop_empty(std::vector<StudyFigure>& figures) {
 std::vector<StudyFigure> trade_figures(const StudyResults& results) {
     const Views views{results};
     std::vector<StudyFigure> figures{
-        trade_figure(views, "error-frame", "Error over the time of a frame",
-                     "Processor time of one frame on this machine, one thread: the least of several "
-                     "rounds. The line joins the cells that no other beats in both.",
-                     "milliseconds a frame", &CellView::frame),
+        trade_figure(
+            views, "error-frame", "Error over the time of a frame",
+            "Processor time of one frame on this machine, one thread: the least of several "
+            "rounds. The line joins the cells that no other beats in both.",
+            "milliseconds a frame", &CellView::frame),
         trade_figure(views, "error-before", "Error over the time before the first frame",
                      "Sampling and factoring, wall time; cells that share the samples count their "
                      "share of them.",

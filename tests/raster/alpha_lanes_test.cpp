@@ -1,11 +1,11 @@
-#include <catch2/catch.hpp>
+#include "raster/alpha_lanes.hpp"
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "raster/alpha_lanes.hpp"
 #include "tests/raster/random/dice.hpp"
 
 using namespace twofold;
@@ -43,7 +43,8 @@ struct Box {
     float low, high;
 };
 
-/// 1 if all texels within 3/4 of the corners' box are in cells of alpha 0, 2 if in cells of alpha 1.
+/// 1 if all texels within 3/4 of the corners' box are in cells of alpha 0, 2 if in cells of
+/// alpha 1.
 int expected(const Cells& cells, Box u, Box v) {
     const auto cell = [&](float place, int count) {
         const int texel = static_cast<int>(std::floor(place));
@@ -52,7 +53,8 @@ int expected(const Cells& cells, Box u, Box v) {
     };
     bool zero = true, one = true;
     for (int y = cell(v.low - 0.75f, cells.rows); y <= cell(v.high + 0.75f, cells.rows); ++y)
-        for (int x = cell(u.low - 0.75f, cells.columns); x <= cell(u.high + 0.75f, cells.columns); ++x) {
+        for (int x = cell(u.low - 0.75f, cells.columns); x <= cell(u.high + 0.75f, cells.columns);
+             ++x) {
             zero = zero && cells.at(x, y) == 0;
             one = one && cells.at(x, y) == 1;
         }

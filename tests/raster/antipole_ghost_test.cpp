@@ -5,7 +5,7 @@
 #include "tests/raster/builders.hpp"
 #include "texunit/byte_arithmetic.hpp"
 
-/// The antipole ghost and the seam of the paper's four passes (docs/hard-cases.md, T13 and T14).
+/// The antipole ghost and the seam of the paper's four passes (hard cases T13 and T14).
 namespace {
 using namespace twofold;
 using namespace twofold::test;

@@ -1,8 +1,7 @@
 #include "raster/fast_plan.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 
 #include "raster/effects.hpp"
 #include "raster/renderer.hpp"

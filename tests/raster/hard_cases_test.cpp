@@ -5,7 +5,7 @@
 #include "tests/raster/builders.hpp"
 #include "texunit/error.hpp"
 
-/// The raster cases of docs/hard-cases.md that need no tiles and no fused passes, but for coverage.
+/// The hard cases of drawing (R) that need no tiles and no fused passes, but for coverage.
 namespace {
 using namespace twofold;
 using namespace twofold::test;

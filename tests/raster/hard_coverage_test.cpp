@@ -7,7 +7,7 @@
 #include "raster/frame_check.hpp"
 #include "tests/raster/builders.hpp"
 
-/// The cases of docs/hard-cases.md about which pixels a triangle covers.
+/// The hard cases (R) about which pixels a triangle covers.
 namespace {
 using namespace twofold;
 using namespace twofold::test;

@@ -51,8 +51,9 @@ TEST_CASE("a state draws as its normal form does", "[pass]") {
         CHECK(render_reference(wordy, preset).bytes == render_reference(plain, preset).bytes);
 }
 
-TEST_CASE("a scissor around the picture and dither of 8-bit channels cannot change a pixel of a frame",
-          "[pass]") {
+TEST_CASE(
+    "a scissor around the picture and dither of 8-bit channels cannot change a pixel of a frame",
+    "[pass]") {
     PassState state;
     state.scissor = Scissor{-3, 0, 11, 8};
     state.dither = true;

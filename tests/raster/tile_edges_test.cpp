@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
+#include "raster/tile_edges.hpp"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
-#include "raster/tile_edges.hpp"
 #include "tests/raster/random/dice.hpp"
 
 using namespace twofold;
@@ -108,9 +108,9 @@ TEST_CASE("A depth plane that calls itself usable is within 2^-20 of a step of t
         if (!set_near_depth(rule, t)) continue;
         ++usable;
         for_each_covered_pixel(setup, 4, pixels, [&](int x, int y, const auto& e) {
-            const long double quotient = (static_cast<long double>(e[1]) * t.dz1 +
-                                          static_cast<long double>(e[2]) * t.dz2) /
-                                         static_cast<long double>(t.area);
+            const long double quotient =
+                (static_cast<long double>(e[1]) * t.dz1 + static_cast<long double>(e[2]) * t.dz2) /
+                static_cast<long double>(t.area);
             const long double exact = (t.z0 + quotient) * rule.steps;
             const lanes::Plane& p = t.near_depth;
             const double near = p.first + static_cast<double>(x - pixels.x0) * p.dx +

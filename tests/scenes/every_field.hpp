@@ -150,34 +150,34 @@ inline const std::vector<std::string> every_field{R"({
              "register_bits": 11, "vertex_color": "floor", "snap_bits": 7, "snap_bias": 0.25,
              "framebuffer_bits": 6}
 })",
-                                           R"({
+                                                  R"({
   "environment": {"painted": {"background": [0.1, 0.2, 0.3],
     "lights": [{"direction": [1.5, 2.5, 3.5], "half_angle_degrees": 4.5, "radiance": [5.5, 6.5, 7.5]}],
     "width": 41, "height": 42}, "cells": 78},
   "white": {"percentile": 98.5},
   "materials": {"a": {"modified_phong": {}}}, "meshes": {"q": {"quad": {}}},
   "objects": [{"mesh": "q", "material": "a"}]})",
-                                           R"({
+                                                  R"({
   "environment": {"probe": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
                   {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
-                                           R"({
+                                                  R"({
   "environment": {"cube_cross": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
                   {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
-                                           R"({
+                                                  R"({
   "environment": {"cube_strip": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
                   {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
-                                           R"({
+                                                  R"({
   "environment": {"cube_openexr": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "orientation":
                   {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
-                                           R"({
+                                                  R"({
   "environment": {"dual_paraboloid": "e.exr", "repair": true, "cells": 79, "scale": 2.75, "guard": 0.625, "orientation":
                   {"forward": [1.25, 2.5, 3.5], "up": [0.25, 0.5, -0.75], "mirror": true}},
   "meshes": {"q": {"quad": {}}}, "passes": [{"mesh": "q"}]})",
-                                           R"({
+                                                  R"({
   "environment": {"directional": [{"direction": [1.25, 2.5, 3.5], "irradiance": [5.25, 6.25, 7.25]}],
                   "cells": 79},
   "materials": {"a": {"cook_torrance": {}}}, "meshes": {"q": {"quad": {}}},

@@ -4,11 +4,12 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "texunit/presets.hpp"
+#include "tests/texunit/laws.hpp"
 
 /// The register combiners against values worked out by hand from the specification.
 namespace {
 using namespace twofold;
+using laws::m;
 using R = CombinerRegister;
 using Map = CombinerMapping;
 using Part = CombinerComponent;
@@ -19,9 +20,6 @@ constexpr CombinerInput rgb(R r, Map map = Map::unsigned_identity) { return {r, 
 constexpr CombinerInput alpha(R r, Map map = Map::unsigned_identity) {
     return {r, Part::alpha, map};
 }
-
-template <NumericModel M>
-const M m{};
 
 /// Inputs from bytes: primary, secondary and texture 0 (grey r with its own alpha).
 template <NumericModel M>

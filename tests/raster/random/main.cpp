@@ -1,5 +1,6 @@
 // The proof that the fast pipeline gives the reference's bytes, on random states:
-//   fast_equals_reference [--seed S] [--first N] [--count M] [--all-options] [--simd WIDTH] [--trace]
+//   fast_equals_reference [--seed S] [--first N] [--count M] [--all-options] [--simd WIDTH]
+//   [--trace]
 //                         [-o DIR]
 // Exit code 0 only if every byte and every bit of every value is the same.
 #include <fmt/format.h>

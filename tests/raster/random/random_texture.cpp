@@ -81,8 +81,8 @@ Texture random_texture(Dice& dice) {
         texture.cube_faces.push_back(
             {width, height, random_texels(dice, width, height, kind, format)});
     texture.border = std::holds_alternative<PackedTexels>(texture.texels) ? 0 : border;
-    const bool halves = is_power_of_two(width - 2 * texture.border) &&
-                        is_power_of_two(height - 2 * texture.border);
+    const bool halves =
+        is_power_of_two(width - 2 * texture.border) && is_power_of_two(height - 2 * texture.border);
     if (!cube && halves && dice.chance(0.4))
         texture.mipmaps = box_mipmaps(width, height, texture.texels, texture.border);
     return texture;

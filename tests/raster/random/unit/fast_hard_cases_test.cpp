@@ -4,7 +4,7 @@
 #include "tests/raster/builders.hpp"
 #include "tests/raster/random/mismatch.hpp"
 
-/// The raster cases of docs/hard-cases.md that are about tiles, threads and fused passes.
+/// The hard cases of drawing (R) that are about tiles, threads and fused passes.
 namespace {
 using namespace twofold;
 using namespace twofold::test;
