@@ -208,15 +208,17 @@ FAST = [
            "hn::Gt(e.outside(), hn::Set(d, -1))", "hn::Gt(e.outside(), hn::Zero(d))", ("hashes",)),
 ]
 
+FILES = ("tests/image_file/atomic_file_test.cpp",)
+
 CHECKS = [
     unit("self-check-fused", "the self-check is compiled with contraction", "self_check.cpp",
          "return a * a + b != T{0};", "return a * a + b != T{0} ;", "self_check",
          flags=("-O2", "-mfma", "-ffp-contract=fast")),
-    unit("full-disk", "a write that fails is no error", "atomic_file.cpp",
-         'if (count < 0) throw system_error(name, "cannot write", errno);',
-         "if (count < 0) return;", "atomic_file"),
-    unit("unflushed", "the temporary file is not renamed when all is written", "atomic_file.cpp",
-         "    temporary.rename_to(path);\n", "", "atomic_file"),
+    Mutant("full-disk", "a write that fails is no error", "texunit/atomic_file.cpp",
+           'if (count < 0) throw system_error(name, "cannot write", errno);',
+           "if (count < 0) return;", FILES),
+    Mutant("unflushed", "the temporary file is not renamed when all is written",
+           "texunit/atomic_file.cpp", "    temporary.rename_to(path);\n", "", FILES),
 ]
 
 MUTANTS = BYTES + NUMBERS + TEXTURES + TRIANGLES + FACTORS + FAST + CHECKS
