@@ -143,7 +143,7 @@ TEST_CASE("the positive parts of signed products add up to them with their signs
     }
 }
 
-TEST_CASE("J signed products recover a lighting function that is a sum of J") {
+TEST_CASE("J signed products recover a lighting function that is a sum of J", "[long]") {
     const auto radiance = [](const SurfaceView& at) {
         const Vec3 r = pi_2(at);
         return Rgb(1.0 + 0.6 * at.n.x * r.y + 0.3 * at.n.z * (r.x * r.x - 0.4));

@@ -40,7 +40,8 @@ double psnr(const FactoredLighting& result, const LightingSamples& samples) {
 
 }  // namespace
 
-TEST_CASE("Phong under one light is a product, fitted to second order in the texel's size") {
+TEST_CASE("Phong under one light is a product, fitted to second order in the texel's size",
+          "[long]") {
     // Reference figures 29 / 41 / 54 dB and relative rms .32 / .061 / .014 at guard (R - 1) / R;
     // the wider guard band of 7/8 leaves fewer texels on the disc and costs 1 to 3 dB.
     const LightingSamples held_out = cases::samples_of({}, 20000, 2);

@@ -78,7 +78,8 @@ TEST_CASE("F06 regularised, no factor spans more than the samples do, however lo
     }
 }
 
-TEST_CASE("F13 channels with different support are factored as if each were alone", "[hard][F13]") {
+TEST_CASE("F13 channels with different support are factored as if each were alone",
+          "[hard][F13][long]") {
     LightingSamples samples = cases::samples_of({}, 8000, 1);
     for (std::size_t i = 0; i < samples.at.size(); ++i) {
         samples.radiance[i].y *= 0.25;
@@ -102,7 +103,7 @@ TEST_CASE("F13 channels with different support are factored as if each were alon
 }
 
 TEST_CASE("F20 Q02 without a regulariser 8 bits lose the picture, and the report says so",
-          "[hard][F20][Q02]") {
+          "[hard][F20][Q02][long]") {
     const auto radiance = [](const SurfaceView& at) { return Rgb(cases::sky_and_lamps(at)); };
     const LightingSamples fit = cases::samples_of_function(40000, 1, radiance);
     const LightingSamples held_out = cases::samples_of_function(10000, 2, radiance);
@@ -135,7 +136,7 @@ TEST_CASE("F20 Q02 without a regulariser 8 bits lose the picture, and the report
 }
 
 TEST_CASE("F20 the method to the letter warns that its factors are of no use in 8 bits",
-          "[hard][F20]") {
+          "[hard][F20][long]") {
     const FactoredLighting result = factored_phong(method_preset(Method::letter), 30000);
     CHECK(result.fit[0].solver.status == SolverStatus::limit);
     CHECK(result.fit[0].byte_rms > 1.3 * result.fit[0].relative_rms);
@@ -158,7 +159,7 @@ TEST_CASE("Q05 a byte that goes through the logarithm comes back as itself, all 
 }
 
 TEST_CASE("S03 S04 S06 a sun of 1e6, an exponent of 1e5 and a slope of 1e-3 leave finite factors",
-          "[hard][S03][S04][S06]") {
+          "[hard][S03][S04][S06][long]") {
     DistantLights lights;
     for (const Vec3 l : cases::many_lights()) lights.push_back(l, Rgb(0.1));
     lights.push_back(normalized(Vec3{0.2, 0.3, 0.9}), Rgb(1e6));

@@ -103,7 +103,8 @@ TEST_CASE("interpolation gives a measurement back, gaps included") {
         Catch::Contains("no measured value"));
 }
 
-TEST_CASE("the homomorphic product gives a product back, and a sum of two parts roughly") {
+TEST_CASE("the homomorphic product gives a product back, and a sum of two parts roughly",
+          "[long]") {
     CHECK(relative_rms(brdf_of(data_of(separable), Fill::homomorphic), separable) < 0.01);
     CHECK(relative_rms(brdf_of(data_of(glossy), Fill::homomorphic), glossy) < 0.25);
 }
@@ -123,7 +124,8 @@ TEST_CASE("a product from scattered samples has a value where nothing was measur
 
 TEST_CASE(
     "the lighting sum of a measured material is the sum of its values, to the last bit, at any "
-    "number of threads") {
+    "number of threads",
+    "[long]") {
     const DistantLights lights = sky();
     const auto views = surface_views(40, 9);
     for (const Fill fill : {Fill::homomorphic, Fill::interpolate}) {
@@ -145,7 +147,7 @@ TEST_CASE(
                       Catch::Contains("'m.binary' was not loaded"));
 }
 
-TEST_CASE("models have the same bits at any number of threads") {
+TEST_CASE("models have the same bits at any number of threads", "[long]") {
     for (const Fill fill : {Fill::homomorphic, Fill::interpolate}) {
         const MeasuredModel one = make_model(data_of(glossy), fill, 1),
                             three = make_model(data_of(glossy), fill, 3);
@@ -174,7 +176,7 @@ TEST_CASE("D02 a channel with a third of zeros is floored, and its factors are f
 TEST_CASE(
     "F13 D03 a channel of 97.7 % zeros is partly unsupported: masked, and 0 where it has no "
     "support",
-    "[hard][D03][F13]") {
+    "[hard][D03][F13][long]") {
     // Blue has a value in the highlight only.
     const auto clipped = [](Vec3 wi, Vec3 wo) {
         Rgb f = glossy(wi, wo);
@@ -202,7 +204,7 @@ TEST_CASE(
         Catch::Contains("above 0"));
 }
 
-TEST_CASE("a MERL file with marks is one material by both fills") {
+TEST_CASE("a MERL file with marks is one material by both fills", "[long]") {
     const Bytes file = merl_file([](int c, int i, int j, int) {
         if (j == 89 || (i + j) % 50 == 49) return -1.0;
         const double x = i / 90.0;

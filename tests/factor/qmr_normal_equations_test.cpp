@@ -72,7 +72,7 @@ TEST_CASE("F19 the iteration limit is a named end with the best iterate", "[hard
     CHECK(s.report.history.size() == 4);
 }
 
-TEST_CASE("F18 without column scaling QMR stagnates, with it it converges", "[hard][F18]") {
+TEST_CASE("F18 without column scaling QMR stagnates, with it it converges", "[hard][F18][long]") {
     FactorSettings settings = cases::unregularised(16, 0.875);
     settings.column_scaling = false;
     const StopRule rule{.tolerance = 1e-12, .iteration_limit = 1500};
@@ -102,7 +102,7 @@ TEST_CASE("F21 run on past convergence QMR neither diverges nor gets worse", "[h
 }
 
 TEST_CASE("F21 unguarded QMR runs off along the null vector, the guarded one does not",
-          "[hard][F21]") {
+          "[hard][F21][long]") {
     // Rounding gives the null vector an eigenvalue of 1e-16 squared, which an iteration that goes
     // on long enough may find. Where it does depends on the roundings: here, and in 4 of 24
     // systems.

@@ -53,7 +53,7 @@ void for_all_small_systems(const Visit& visit) {
 }  // namespace
 
 TEST_CASE("F15 all 512,406 systems of entries -1, 0 and 1 end under the pinned names",
-          "[hard][F15]") {
+          "[hard][F15][long]") {
     std::map<std::string, int> count;
     int unsound = 0;
     for_all_small_systems([&](const Dense& a, const SquareOperator& a_operator, const Vector& b) {
@@ -76,7 +76,7 @@ TEST_CASE("F15 all 512,406 systems of entries -1, 0 and 1 end under the pinned n
 }
 
 TEST_CASE("F15 with exact-zero tests the 3 x 3 systems run into the limit and lose the residual",
-          "[hard][F15]") {
+          "[hard][F15][long]") {
     // The mutant that the relative tests are there to beat; even it never claims convergence
     // falsely, because the residual is recomputed.
     const StopRule exact_zero{.tolerance = 1e-12, .iteration_limit = 30, .breakdown = 0.0};

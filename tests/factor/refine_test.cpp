@@ -79,7 +79,7 @@ TEST_CASE("the parts of a divided product add up to it at every texel") {
     }
 }
 
-TEST_CASE("three positive products hold three lights that one cannot") {
+TEST_CASE("three positive products hold three lights that one cannot", "[long]") {
     const LightingSamples fit = three_lights(20000, 1), held = three_lights(5000, 2);
     const double one = error_of(fit, held, refined_settings(1, 8));
     const double three = error_of(fit, held, refined_settings(3, 8));
@@ -87,7 +87,7 @@ TEST_CASE("three positive products hold three lights that one cannot") {
     CHECK(three < 0.4 * one);
 }
 
-TEST_CASE("sums of products have the same bits at 1 and 7 threads") {
+TEST_CASE("sums of products have the same bits at 1 and 7 threads", "[long]") {
     FactorSettings settings = refined_settings(2, 2);
     settings.view_knots = 24;
     const LightingSamples fit = three_lights(6000, 1);

@@ -107,7 +107,7 @@ TEST_CASE("a study file is held to the same limits as a scene", "[hostile]") {
         Contains("s.json: axes.0.scenes.0: '../x.json' is not the name of a file"));
 }
 
-TEST_CASE("every shipped study cut short at any byte is an error", "[hostile]") {
+TEST_CASE("every shipped study cut short at any byte is an error", "[hostile][long]") {
     for (const char* name : {"quick.json", "claim.json"}) {
         const std::string text = read_text_file(
             std::filesystem::path(TWOFOLD_SOURCE_DIR) / "study" / name, scene_io::max_json_bytes);

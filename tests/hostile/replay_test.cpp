@@ -52,7 +52,8 @@ TEST_CASE("every file of the fuzz corpus is read or refused as promised", "[host
     }
 }
 
-TEST_CASE("a file of the corpus cut at any length is read or refused as promised", "[hostile]") {
+TEST_CASE("a file of the corpus cut at any length is read or refused as promised",
+          "[hostile][long]") {
     for (const Target& target : targets)
         for (const auto& file : corpus_of(target)) {
             const Bytes whole = read_file(file, max_bytes);

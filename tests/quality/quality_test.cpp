@@ -47,7 +47,7 @@ TEST_CASE("quality: a diffuse material under a sky") {
     CHECK(j.psnr >= 60.0);
 }
 
-TEST_CASE("quality: Phong 50 under one light, by map size") {
+TEST_CASE("quality: Phong 50 under one light, by map size", "[long]") {
     for (const auto& [size, least] : {std::pair{32, 39.0}, {64, 50.0}, {128, 60.0}}) {
         const Judged j =
             judged("Phong 50, one light", phong(50), "one", settings_of(Method::paper, size));
@@ -55,14 +55,14 @@ TEST_CASE("quality: Phong 50 under one light, by map size") {
     }
 }
 
-TEST_CASE("quality: Phong 50 under one light, refined") {
+TEST_CASE("quality: Phong 50 under one light, refined", "[long]") {
     for (const auto& [size, least] : {std::pair{32, 45.0}, {64, 56.0}}) {
         const Judged j = judged("Phong 50, one light, refined", phong(50), "one", refined(size, 4));
         CHECK(j.psnr >= least);
     }
 }
 
-TEST_CASE("quality: Phong 50 under three lights") {
+TEST_CASE("quality: Phong 50 under three lights", "[long]") {
     const Judged one =
         judged("Phong 50, three lights", phong(50), "three", settings_of(Method::paper, 32));
     CHECK(one.relative_rms >= 0.20);
@@ -72,7 +72,7 @@ TEST_CASE("quality: Phong 50 under three lights") {
     CHECK(three.psnr >= 40.0);
 }
 
-TEST_CASE("quality: Phong 50 under a sky") {
+TEST_CASE("quality: Phong 50 under a sky", "[long]") {
     const Judged j = judged("Phong 50, sky", phong(50), "sky", settings_of(Method::paper, 32));
     CHECK(j.relative_rms >= 0.12);
     CHECK(j.relative_rms <= 0.18);
@@ -81,7 +81,7 @@ TEST_CASE("quality: Phong 50 under a sky") {
     CHECK(g.psnr >= 28.0);
 }
 
-TEST_CASE("quality: Phong 50 under constant light") {
+TEST_CASE("quality: Phong 50 under constant light", "[long]") {
     FactorSettings plain = settings_of(Method::paper, 32);
     plain.row_weight = 0.0;
     const Judged j = judged("Phong 50, constant light", phong(50), "constant", plain);
@@ -91,7 +91,7 @@ TEST_CASE("quality: Phong 50 under constant light") {
     CHECK(g.psnr >= 60.0);
 }
 
-TEST_CASE("quality: Cook-Torrance of slope .2 under a sky") {
+TEST_CASE("quality: Cook-Torrance of slope .2 under a sky", "[long]") {
     const Brdf brdf = cook_torrance(0.2);
     const Judged j = judged("Cook-Torrance .2, sky", brdf, "sky", settings_of(Method::paper, 32));
     CHECK(j.relative_rms <= 0.42);
@@ -132,7 +132,7 @@ TEST_CASE("quality: Cornell's paints under a sky") {
     }
 }
 
-TEST_CASE("quality: 8 bits against floats of the same textures") {
+TEST_CASE("quality: 8 bits against floats of the same textures", "[long]") {
     for (const Method method : {Method::paper, Method::best}) {
         for (const char* light : {"one", "three", "sky"}) {
             const Judged j = judged(method == Method::paper ? "8 bits, paper" : "8 bits, best",
@@ -145,7 +145,7 @@ TEST_CASE("quality: 8 bits against floats of the same textures") {
     }
 }
 
-TEST_CASE("quality: mottle between two sets of samples") {
+TEST_CASE("quality: mottle between two sets of samples", "[long]") {
     const Brdf brdf = cook_torrance(0.2);
     const DistantLights sky = lights_named("sky");
     for (const Method method : {Method::paper, Method::best}) {

@@ -54,7 +54,7 @@ Figures figures(const char* name, const Brdf& brdf, const char* light, int terms
 
 // Held against the figures of an independent implementation of the same models, with other samples
 // and twice as many (docs/method.md, section 10).
-TEST_CASE("quality: signed products of Phong 50") {
+TEST_CASE("quality: signed products of Phong 50", "[long]") {
     const Figures one = figures("Phong 50, one", phong(50), "one", 2, 8);
     CHECK(one.rel < 0.031 + 0.02);
     CHECK(one.psnr > 49.7 - 3.5);
@@ -66,7 +66,7 @@ TEST_CASE("quality: signed products of Phong 50") {
     CHECK(better.psnr > three.psnr + 4.0);
 }
 
-TEST_CASE("quality: signed products under a sky") {
+TEST_CASE("quality: signed products under a sky", "[long]") {
     const Figures two = figures("Phong 50, sky", phong(50), "sky", 2, 8);
     CHECK(two.rel == Approx(0.112).margin(0.015));
     CHECK(two.psnr == Approx(25.3).margin(1.5));
@@ -78,7 +78,7 @@ TEST_CASE("quality: signed products under a sky") {
     CHECK(rough.psnr == Approx(20.0).margin(1.5));
 }
 
-TEST_CASE("quality: prefiltered maps, and normalised decomposition") {
+TEST_CASE("quality: prefiltered maps, and normalised decomposition", "[long]") {
     for (const auto& [name, brdf, light, rel, psnr, product] :
          {std::tuple{"Phong 50, one", phong(50), "one", 0.475, 28.1, 0.061},
           {"Phong 50, three", phong(50), "three", 0.449, 25.5, 0.264},

@@ -108,7 +108,7 @@ std::map<int, int> passes_per_pixel(int n, int size, Preset preset) {
 }  // namespace
 
 TEST_CASE("T13 T13b the antipole ghost of coarse spheres is painted, pixel for pixel",
-          "[hard][T13]") {
+          "[hard][T13][long]") {
     struct Pinned {
         Preset preset;
         std::array<int, 3> ghosts;  ///< for N = 3, 5 and 41

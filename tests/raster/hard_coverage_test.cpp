@@ -136,7 +136,7 @@ TEST_CASE("R02 attributes of a sliver stay within the range of its vertices", "[
     }
 }
 
-TEST_CASE("R03 shared edges of random fans cover each pixel once", "[hard][R03]") {
+TEST_CASE("R03 shared edges of random fans cover each pixel once", "[hard][R03][long]") {
     int usable = 0, twice = 0, wrong = 0;
     std::int64_t pixels = 0;
     for (std::uint64_t i = 0; i < 20000; ++i) {

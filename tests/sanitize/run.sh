@@ -5,8 +5,8 @@
 #   valgrind   memcheck, on the release build
 # Every test program runs whole, in one process; then ctest runs what is no case of theirs: the pinned hashes, the
 # program from outside, captures. The thread sanitizer draws random states by 1, 2 and 7 threads and makes a study
-# instead, and memcheck leaves the second part out. Some tens of minutes each (valgrind: more than an hour); each
-# prints what it ran and ends with "N passed, M failed".
+# instead; memcheck leaves out the second part and the tests tagged [long], which take more than a third of a second
+# without it. Some tens of minutes each; each prints what it ran and ends with "N passed, M failed".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tool=${1:-}
@@ -33,11 +33,10 @@ check() {
     tail -n 40 "$build/output"
 }
 
-# check_programs BUILD [COMMAND ...]: all test programs, each run by the command.
+# check_programs BUILD [TESTS] [COMMAND ...]: all test programs with those tests, each run by the command.
 check_programs() {
-    local folder=$1
-    shift
-    for program in $(programs_in "$folder"); do check "$@" "$program"; done
+    local folder=$1 tests=${2:-}
+    for program in $(programs_in "$folder"); do check "${@:3}" "$program" ${tests:+"$tests"}; done
 }
 
 case $tool in
@@ -60,7 +59,7 @@ case $tool in
         mkdir -p "$build"
         cmake --preset release -DTWOFOLD_TESTS=ON >/dev/null
         cmake --build --preset release -j "$(nproc)" | tail -n 1
-        check_programs build/release valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite
+        check_programs build/release '~[long]' valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite
         ;;
     *) echo "usage: $0 address|thread|valgrind" >&2; exit 2 ;;
 esac

@@ -66,7 +66,8 @@ Drawn draw(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("g(n.v) goes into the vertex colours, costs no pass and brings the picture nearer") {
+TEST_CASE("g(n.v) goes into the vertex colours, costs no pass and brings the picture nearer",
+          "[long]") {
     const Drawn without = draw(sphere_scene(R"("view_knots": 0)", glass));
     const Drawn with = draw(sphere_scene(R"("view_knots": 24)", glass));
     CHECK(with.frame.passes.size() == without.frame.passes.size());
@@ -86,7 +87,7 @@ TEST_CASE("g(n.v) goes into the vertex colours, costs no pass and brings the pic
     CHECK(with.error < 0.7 * without.error);
 }
 
-TEST_CASE("each further product adds four passes of its own, by the blender") {
+TEST_CASE("each further product adds four passes of its own, by the blender", "[long]") {
     const Drawn one = draw(sphere_scene(R"("refinement": 6)", phong, three_lights));
     const Drawn two = draw(sphere_scene(R"("refinement": 6, "terms": 2)", phong, three_lights));
     REQUIRE(one.frame.passes.size() == 4);
@@ -100,7 +101,7 @@ TEST_CASE("each further product adds four passes of its own, by the blender") {
     CHECK(two.error < 0.7 * one.error);
 }
 
-TEST_CASE("a diffuse material is drawn with one unit in two passes") {
+TEST_CASE("a diffuse material is drawn with one unit in two passes", "[long]") {
     const Scene scene =
         sphere_scene(R"("shortcuts": true)", R"({"modified_phong": {"specular": 0}})");
     const Drawn drawn = draw(scene);
@@ -111,7 +112,7 @@ TEST_CASE("a diffuse material is drawn with one unit in two passes") {
     CHECK(drawn.lit.materials.at("m").fit[0].relative_rms < 0.01);
 }
 
-TEST_CASE("the preset best is nearer to the exact picture than the preset paper") {
+TEST_CASE("the preset best is nearer to the exact picture than the preset paper", "[long]") {
     const Drawn paper = draw(sphere_scene(R"("method": "paper")", glass));
     const Drawn best = draw(sphere_scene(R"("method": "best")", glass));
     CAPTURE(paper.error, best.error);
@@ -119,7 +120,8 @@ TEST_CASE("the preset best is nearer to the exact picture than the preset paper"
     CHECK(best.error < 0.5 * paper.error);
 }
 
-TEST_CASE("cube maps take one pass where paraboloids take four, and the picture is as near") {
+TEST_CASE("cube maps take one pass where paraboloids take four, and the picture is as near",
+          "[long]") {
     const Drawn four = draw(sphere_scene(R"("map_form": "dual_paraboloid")", phong));
     // 6 x 18^2 texels in place of 2 x 32^2.
     Scene cubes = sphere_scene(R"("map_form": "cube")", phong);

@@ -64,7 +64,8 @@ TEST_CASE("a scene's measured material is loaded, factored and reported") {
                       Catch::Contains("none"));
 }
 
-TEST_CASE("D04 a MERL file is held against the list of known files beside it", "[hard][D04]") {
+TEST_CASE("D04 a MERL file is held against the list of known files beside it",
+          "[hard][D04][long]") {
     const TemporaryFolder folder;
     const auto file = cases::merl_file([](int, int, int, int) { return 150.0; });
     write(folder / "grey.binary", {reinterpret_cast<const char*>(file.data()), file.size()});

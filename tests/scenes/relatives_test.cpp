@@ -98,7 +98,8 @@ constexpr std::size_t middle = 24 * 49 + 24;
 
 }  // namespace
 
-TEST_CASE("signed products are added and taken off, and the picture is the sum of the maps") {
+TEST_CASE("signed products are added and taken off, and the picture is the sum of the maps",
+          "[long]") {
     for (const auto& [form, size] : {std::pair{"cube", "16"}, {"dual_paraboloid", "32"}}) {
         CAPTURE(form);
         const std::string maps =
@@ -129,7 +130,7 @@ TEST_CASE("normalised decomposition draws the passes of one product") {
     CHECK(nd.error < 0.15);
 }
 
-TEST_CASE("prefiltered maps are added on two units in one set of passes") {
+TEST_CASE("prefiltered maps are added on two units in one set of passes", "[long]") {
     const Scene scene = sphere_scene(R"("model": "prefilter", "map_size": 32)");
     const Drawn drawn = draw(scene);
     REQUIRE(drawn.frame.passes.size() == 4);
@@ -147,7 +148,7 @@ TEST_CASE("prefiltered maps are added on two units in one set of passes") {
     CHECK(diffuse.error < 2.5 / 255.0);
 }
 
-TEST_CASE("sphere maps take one pass, the normal's coordinates come with the mesh") {
+TEST_CASE("sphere maps take one pass, the normal's coordinates come with the mesh", "[long]") {
     const Drawn sphere = draw(sphere_scene(R"("map_form": "sphere", "map_size": 34)"));
     REQUIRE(sphere.frame.passes.size() == 1);
     const PassState& state = sphere.frame.passes[0].state;
@@ -161,7 +162,8 @@ TEST_CASE("sphere maps take one pass, the normal's coordinates come with the mes
     CHECK(sphere.error < 1.15 * paraboloids.error);
 }
 
-TEST_CASE("a sphere map is torn where r looks straight away, at the outline of a coarse mesh") {
+TEST_CASE("a sphere map is torn where r looks straight away, at the outline of a coarse mesh",
+          "[long]") {
     // Only what is mirrored shows; the light stands behind the object.
     const auto drawn = [](const std::string& form, int subdivisions) {
         Scene scene =

@@ -94,7 +94,7 @@ TEST_CASE("every shipped scene cut short at any byte is an error") {
     }
 }
 
-TEST_CASE("a shipped scene with any one byte changed is a scene or an error") {
+TEST_CASE("a shipped scene with any one byte changed is a scene or an error", "[long]") {
     const std::string text = contents(folder / "two-passes.json");
     for (std::size_t i = 0; i < text.size(); ++i)
         for (const char byte : {'\0', '"', '{', ']', '9', '-', '\\', '\n', '\x7f', '\xff'}) {

@@ -253,7 +253,7 @@ TEST_CASE("the schema's defaults are the reader's") {
     CHECK(compared > 150);
 }
 
-TEST_CASE("the schema's ranges and enumerators are the reader's") {
+TEST_CASE("the schema's ranges and enumerators are the reader's", "[long]") {
     int compared = 0;
     for (const json& document : full_documents())
         walk(document, schema(), json::json_pointer(), "",

@@ -32,7 +32,7 @@ std::string findings_of(Laboratory& laboratory, const Cell& cell) {
 
 }  // namespace
 
-TEST_CASE("a cell's findings do not depend on the cells that were measured before it") {
+TEST_CASE("a cell's findings do not depend on the cells that were measured before it", "[long]") {
     Laboratory shared = laboratory_of(small_cell("factorization.terms=1"));
     for (const char* change :
          {"factorization.model=slf", "factorization.map_form=sphere",

@@ -135,7 +135,7 @@ TEST_CASE("an axis over scenes has its cells of each scene that is there") {
     CHECK(plan.axes[0].points[0].cell == plan.base);
 }
 
-TEST_CASE("the shipped studies fit every shipped scene") {
+TEST_CASE("the shipped studies fit every shipped scene", "[long]") {
     std::size_t planned = 0;
     for (const auto& entry : std::filesystem::directory_iterator(shipped_scene(""))) {
         const std::string name = entry.path().filename().string();

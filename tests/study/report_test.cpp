@@ -56,7 +56,7 @@ TEST_CASE("a report of nothing is still a whole page") {
     CHECK(summary_sentence(Report{}) == "No picture was compared with the exact one.");
 }
 
-TEST_CASE("the page reaches for nothing outside itself") {
+TEST_CASE("the page reaches for nothing outside itself", "[long]") {
     const std::string html = report_html(sample_report());
     CHECK(count(html, "src=\"http") == 0);
     CHECK(count(html, "<link") == 1);
@@ -132,7 +132,7 @@ TEST_CASE("the summary makes do with the comparisons that there are") {
     CHECK(summary_sentence(report) == "coarse8 has no pixel in common with the exact picture.");
 }
 
-TEST_CASE("the same report gives the same page") {
+TEST_CASE("the same report gives the same page", "[long]") {
     CHECK(report_html(sample_report()) == report_html(sample_report()));
 }
 

@@ -76,7 +76,7 @@ double near_quarter_turn(std::uint64_t i) {
 
 }  // namespace
 
-TEST_CASE("exp is within 0.7 ulp of the true value", "[exact_math]") {
+TEST_CASE("exp is within 0.7 ulp of the true value", "[exact_math][long]") {
     CHECK(worst(exact::exp, mpfr_exp, uniform(-60, 20)) <= 0.7);
     CHECK(worst(exact::exp, mpfr_exp, uniform(-708, 709.78)) <= 0.7);
     CHECK(worst(exact::exp, mpfr_exp, uniform(-1, 1)) <= 0.7);
@@ -124,7 +124,7 @@ TEST_CASE("exp and log in a loop give the bits of single calls", "[exact_math]")
     CHECK(same);
 }
 
-TEST_CASE("log is within 0.7 ulp of the true value", "[exact_math]") {
+TEST_CASE("log is within 0.7 ulp of the true value", "[exact_math][long]") {
     CHECK(worst(exact::log, mpfr_log, uniform(1e-9, 4)) <= 0.7);
     CHECK(worst(exact::log, mpfr_log, uniform(0.7, 1.42)) <= 0.7);
     CHECK(worst(exact::log, mpfr_log, log_uniform(-200, 200)) <= 0.7);
@@ -146,7 +146,7 @@ TEST_CASE("log has the right values at the ends of its range", "[exact_math]") {
     CHECK(ulps(exact::log, mpfr_log, std::numeric_limits<double>::max()) <= 0.7);
 }
 
-TEST_CASE("pow is within 0.75 ulp of the true value", "[exact_math]") {
+TEST_CASE("pow is within 0.75 ulp of the true value", "[exact_math][long]") {
     CHECK(worst_pow(uniform(0.3, 1), uniform(0, 200)) <= 0.75);
     CHECK(worst_pow(uniform(0.999, 1), uniform(9e4, 1e5)) <= 0.75);
     CHECK(worst_pow(uniform(1e-6, 1e6), uniform(-20, 20)) <= 0.75);
@@ -185,14 +185,14 @@ TEST_CASE("pow with a whole exponent is exact where the power is a double", "[ex
     }
 }
 
-TEST_CASE("sin is within 0.8 ulp of the true value", "[exact_math]") {
+TEST_CASE("sin is within 0.8 ulp of the true value", "[exact_math][long]") {
     CHECK(worst(exact::sin, mpfr_sin, uniform(-6.4, 6.4)) <= 0.8);
     CHECK(worst(exact::sin, mpfr_sin, uniform(-0x1p+20, 0x1p+20)) <= 0.8);
     CHECK(worst(exact::sin, mpfr_sin, log_uniform(-60, 2)) <= 0.8);
     CHECK(worst(exact::sin, mpfr_sin, near_quarter_turn) <= 0.8);
 }
 
-TEST_CASE("cos is within 0.8 ulp of the true value", "[exact_math]") {
+TEST_CASE("cos is within 0.8 ulp of the true value", "[exact_math][long]") {
     CHECK(worst(exact::cos, mpfr_cos, uniform(-6.4, 6.4)) <= 0.8);
     CHECK(worst(exact::cos, mpfr_cos, uniform(-0x1p+20, 0x1p+20)) <= 0.8);
     CHECK(worst(exact::cos, mpfr_cos, log_uniform(-60, 2)) <= 0.8);
@@ -209,7 +209,7 @@ TEST_CASE("sin and cos know zeros, their range and NaN", "[exact_math]") {
     CHECK(std::isnan(exact::cos(outside)));
 }
 
-TEST_CASE("acos is within 0.9 ulp of the true value", "[exact_math]") {
+TEST_CASE("acos is within 0.9 ulp of the true value", "[exact_math][long]") {
     CHECK(worst(exact::acos, mpfr_acos, uniform(-1, 1)) <= 0.9);
     CHECK(worst(exact::acos, mpfr_acos, uniform(0.5, 1)) <= 0.9);
     CHECK(worst(exact::acos, mpfr_acos, uniform(-1, -0.5)) <= 0.9);

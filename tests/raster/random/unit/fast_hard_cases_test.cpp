@@ -44,7 +44,7 @@ std::string first_mismatch(const Framebuffer& expected, const Framebuffer& found
 
 }  // namespace
 
-TEST_CASE("R23 tiles, threads and the order of work leave no trace", "[hard][R23]") {
+TEST_CASE("R23 tiles, threads and the order of work leave no trace", "[hard][R23][long]") {
     const Preset preset = GENERATE(from_range(every_preset));
     const auto [width, height] =
         GENERATE(table<int, int>({{257, 131}, {1, 1000}, {1000, 1}, {63, 65}, {8, 128}}));

@@ -124,7 +124,7 @@ TEST_CASE(
     CHECK(report.find("(does NOT fail") == std::string::npos);
 }
 
-TEST_CASE("the scene of a random state draws the state's own picture") {
+TEST_CASE("the scene of a random state draws the state's own picture", "[long]") {
     const TemporaryFolder folder;
     int compared = 0;
     for (std::uint64_t i = 0; i < 280; ++i) {
