@@ -59,7 +59,7 @@ case $tool in
         mkdir -p "$build"
         cmake --preset release -DTWOFOLD_TESTS=ON >/dev/null
         cmake --build --preset release -j "$(nproc)" | tail -n 1
-        check_programs build/release '~[long]' valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite
+        check_programs build/release '~[long]~[.]' valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite
         ;;
     *) echo "usage: $0 address|thread|valgrind" >&2; exit 2 ;;
 esac
