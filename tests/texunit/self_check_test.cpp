@@ -13,7 +13,7 @@ TEST_CASE("the self-check finds nothing wrong in a right build", "[self_check]")
     CHECK(floating_point_defects().empty());
 }
 
-TEST_CASE("the self-check names a rounding mode that is not to nearest", "[self_check]") {
+TEST_CASE("the self-check names a rounding mode that is not to nearest", "[self_check][fpu]") {
     const int mode = GENERATE(FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO);
     std::fesetround(mode);
     const std::string found = floating_point_defects();
@@ -22,7 +22,7 @@ TEST_CASE("the self-check names a rounding mode that is not to nearest", "[self_
 }
 
 #ifdef __SSE2__
-TEST_CASE("the self-check names flushed and ignored denormals", "[self_check]") {
+TEST_CASE("the self-check names flushed and ignored denormals", "[self_check][fpu]") {
     const unsigned saved = _mm_getcsr();
     constexpr unsigned flush_to_zero = 0x8000;
     constexpr unsigned denormals_are_zero = 0x0040;
