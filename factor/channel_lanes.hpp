@@ -32,6 +32,9 @@ struct alignas(32) ChannelLanes {
 [[gnu::always_inline]] inline ChannelLanes operator*(const ChannelLanes& a, const ChannelLanes& b) {
     return {a.at * b.at};
 }
+[[gnu::always_inline]] inline ChannelLanes operator/(const ChannelLanes& a, const ChannelLanes& b) {
+    return {a.at / b.at};
+}
 [[gnu::always_inline]] inline ChannelLanes operator*(double a, const ChannelLanes& b) {
     return {a * b.at};
 }

@@ -10,9 +10,9 @@ namespace twofold {
 
 namespace {
 
-/// A value of each channel at every row, as three arrays; a channel that is not there reads one of
-/// the others and is not looked at.
-struct RowValues {
+/// A value of each channel at every row or column, as three arrays; a channel that is not there
+/// reads one of the others and is not looked at.
+struct LaneArrays {
     std::array<const double*, 3> channel;
 
     [[gnu::always_inline]] ChannelLanes at(std::size_t i) const {
@@ -23,7 +23,7 @@ struct RowValues {
 /// A part of the sample rows, and what a pass over it reads and writes.
 struct SamplePart {
     RowReader read;
-    RowValues weight, right_side;
+    LaneArrays weight, right_side;
     std::size_t first, end;
     ChannelLanes* sums;     ///< over the columns
     ChannelLanes* u;        ///< of all rows, where the pass sets it
@@ -136,14 +136,40 @@ void multiply(const SparseMatrix& regulariser, const ChannelLanes* x, ChannelLan
     }
 }
 
-/// Adds A^T y of the regulariser.
+/// A^T y of the regulariser.
 TWOFOLD_SIMD_CLONES
-void add_transposed(const SparseMatrix& regulariser, const ChannelLanes* y, ChannelLanes* sums) {
+void multiply_transpose(const SparseMatrix& regulariser, const ChannelLanes* y,
+                        ChannelLanes* sums) {
     for (std::size_t j = 0; j < regulariser.columns(); ++j) {
-        ChannelLanes rest;
-        for (const MatrixEntry& e : regulariser.column(j)) rest += e.value * y[e.column];
-        sums[j] += rest;
+        ChannelLanes sum;
+        for (const MatrixEntry& e : regulariser.column(j)) sum += e.value * y[e.column];
+        sums[j] = sum;
     }
+}
+
+/// Quotients of three arrays, beside each other ...
+TWOFOLD_SIMD_CLONES
+void divide(const LaneArrays& a, const std::vector<ChannelLanes>& b, ChannelLanes* quotients) {
+    for (std::size_t j = 0; j < b.size(); ++j) quotients[j] = a.at(j) / b[j];
+}
+
+/// ... and of sums of two, back in three arrays.
+TWOFOLD_SIMD_CLONES
+void divide(const ChannelLanes* a, const ChannelLanes* more, const std::vector<ChannelLanes>& b,
+            const std::array<double*, 3>& quotients) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+        const ChannelLanes quotient = (a[j] + more[j]) / b[j];
+        for (std::size_t c = 0; c < 3; ++c) quotients[c][j] = quotient[c];
+    }
+}
+
+/// @param of of(system) gives the array of a system
+template <class Of>
+LaneArrays arrays_of(const std::vector<const WeightedSystem*>& systems, const Of& of) {
+    LaneArrays arrays{};
+    for (std::size_t c = 0; c < 3; ++c)
+        arrays.channel[c] = of(*systems[c < systems.size() ? c : 0]).data();
+    return arrays;
 }
 
 bool sets_rows(PassKind kind) { return kind == PassKind::start || kind == PassKind::step; }
@@ -157,115 +183,116 @@ double tree_of(const std::vector<ChannelLanes>& sums, std::size_t channel) {
 }
 
 /// The kind of the first system that asks for something.
-std::optional<PassKind> first_kind(const std::vector<std::optional<RowPass>>& asked) {
-    for (const auto& pass : asked)
-        if (pass) return pass->kind;
+std::optional<PassKind> first_kind(const std::vector<const RowPass*>& asked) {
+    for (const RowPass* pass : asked)
+        if (pass != nullptr) return pass->kind;
     return std::nullopt;
 }
 
 }  // namespace
 
 struct ChannelPasses::Sums {
-    std::vector<ChannelLanes> columns;
+    std::vector<ChannelLanes> columns;  ///< without the regulariser's
     std::vector<ChannelLanes> squares;  ///< of runs of 256 sample rows, then of the others
 };
 
 ChannelPasses::ChannelPasses(std::vector<const WeightedSystem*> systems, int threads)
-    : systems_(std::move(systems)), threads_(threads) {}
+    : systems_(std::move(systems)),
+      threads_(threads),
+      scale_(matrix().columns()),
+      x_(matrix().padded_columns()),
+      rest_(matrix().regulariser().rows()),
+      rest_columns_(matrix().columns()) {
+    const LaneArrays scale = arrays_of(
+        systems_, [](const WeightedSystem& s) -> const Vector& { return s.column_scale(); });
+    for (std::size_t j = 0; j < scale_.size(); ++j) scale_[j] = scale.at(j);
+}
 
 std::vector<PassResult> ChannelPasses::operator()(
     const std::vector<std::optional<RowPass>>& asked) {
     std::vector<PassResult> results(asked.size());
-    std::vector<std::optional<RowPass>> left = asked;
+    Asked left(asked.size());
     for (std::size_t c = 0; c < left.size(); ++c)
-        if (left[c] && left[c]->kind == PassKind::right_side) {
+        if (asked[c] && asked[c]->kind == PassKind::right_side)
             results[c] = {systems_[c]->gradient()};
-            left[c].reset();
-        }
+        else if (asked[c])
+            left[c] = &*asked[c];
     while (const auto kind = first_kind(left)) {
-        std::vector<std::optional<RowPass>> now(left.size());
+        Asked now(left.size());
         for (std::size_t c = 0; c < left.size(); ++c)
-            if (left[c] && left[c]->kind == *kind) now[c] = std::exchange(left[c], std::nullopt);
+            if (left[c] != nullptr && left[c]->kind == *kind)
+                now[c] = std::exchange(left[c], nullptr);
         const Sums sums = pass(*kind, now);
-        for (std::size_t c = 0; c < now.size(); ++c) {
-            if (!now[c]) continue;
-            Vector columns(sums.columns.size());
-            for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = sums.columns[j][c];
-            results[c] = {systems_[c]->scaled_product(std::move(columns)),
-                          std::sqrt(tree_of(sums.squares, c))};
-        }
+        std::array<Vector, 3> columns = scaled_columns(sums);
+        for (std::size_t c = 0; c < now.size(); ++c)
+            if (now[c] != nullptr)
+                results[c] = {systems_[c]->without_null_vectors(std::move(columns[c])),
+                              std::sqrt(tree_of(sums.squares, c))};
     }
     return results;
 }
 
-ChannelPasses::Sums ChannelPasses::pass(PassKind kind,
-                                        const std::vector<std::optional<RowPass>>& asked) {
+ChannelPasses::Sums ChannelPasses::pass(PassKind kind, const Asked& asked) {
     ChannelLanes keep{
         ChannelLanes::Values{-1.0, -1.0, -1.0, -1.0}};  // u = 0 + u of a system that waits
     for (std::size_t c = 0; c < asked.size(); ++c)
-        if (asked[c]) keep.at[c] = asked[c]->keep;
-    const LogMatrix& matrix = systems_[0]->left().matrix;
-    if (sets_rows(kind)) u_.resize(matrix.rows());
-    const std::vector<ChannelLanes> x = unknowns(asked);
-    Sums sums = sample_pass(kind, x, keep);
-    add_regulariser(sums, kind, x, keep);
-    return sums;
+        if (asked[c] != nullptr) keep.at[c] = asked[c]->keep;
+    if (sets_rows(kind)) u_.resize(matrix().rows());
+    set_unknowns(asked);
+    return row_pass(kind, keep);
 }
 
-/// D^-1 y of the systems that ask, 0 of the others, beside each other.
-std::vector<ChannelLanes> ChannelPasses::unknowns(
-    const std::vector<std::optional<RowPass>>& asked) const {
-    std::vector<ChannelLanes> lanes(systems_[0]->left().matrix.padded_columns());
-    for (std::size_t c = 0; c < asked.size(); ++c) {
-        if (!asked[c]) continue;
-        const Vector x = systems_[c]->unknowns(asked[c]->x);
-        for (std::size_t j = 0; j < x.size(); ++j) lanes[j].at[c] = x[j];
-    }
-    return lanes;
+/// D^-1 y of the systems that ask, 0 of the others.
+void ChannelPasses::set_unknowns(const Asked& asked) {
+    const Vector zeros(scale_.size());
+    LaneArrays y{{zeros.data(), zeros.data(), zeros.data()}};
+    for (std::size_t c = 0; c < asked.size(); ++c)
+        if (asked[c] != nullptr) y.channel[c] = asked[c]->x.data();
+    divide(y, scale_, x_.data());
 }
 
-ChannelPasses::Sums ChannelPasses::sample_pass(PassKind kind, const std::vector<ChannelLanes>& x,
-                                               const ChannelLanes& keep) {
-    const LogMatrix& matrix = systems_[0]->left().matrix;
+std::array<Vector, 3> ChannelPasses::scaled_columns(const Sums& sums) const {
+    std::array<Vector, 3> columns;
+    for (Vector& channel : columns) channel.resize(scale_.size());
+    divide(sums.columns.data(), rest_columns_.data(), scale_,
+           {columns[0].data(), columns[1].data(), columns[2].data()});
+    return columns;
+}
+
+ChannelPasses::Sums ChannelPasses::row_pass(PassKind kind, const ChannelLanes& keep) {
     Sums sums;
-    sums.squares.resize(sets_rows(kind) ? runs_of(matrix.samples()) : 0);
-    const auto values = [&](const Vector& (*of)(const ChannelRows&)) {
-        RowValues rows{};
-        for (std::size_t c = 0; c < 3; ++c)
-            rows.channel[c] = of(systems_[c < systems_.size() ? c : 0]->right()).data();
-        return rows;
-    };
-    const RowValues weight = values([](const ChannelRows& r) -> const Vector& { return r.weight; });
-    const RowValues right =
-        values([](const ChannelRows& r) -> const Vector& { return r.right_side; });
-    sums.columns = matrix.sum_samples<ChannelLanes>(
+    std::vector<ChannelLanes> squares;
+    sums.squares.resize(sets_rows(kind) ? runs_of(matrix().samples()) : 0);
+    const LaneArrays weight = arrays_of(
+        systems_, [](const WeightedSystem& s) -> const Vector& { return s.right().weight; });
+    const LaneArrays right = arrays_of(
+        systems_, [](const WeightedSystem& s) -> const Vector& { return s.right().right_side; });
+    sums.columns = matrix().sum_samples<ChannelLanes>(
         [&](std::size_t first, std::size_t end, ChannelLanes* columns) {
             add_part(kind,
-                     {matrix.reader(), weight, right, first, end, columns, u_.data(),
+                     {matrix().reader(), weight, right, first, end, columns, u_.data(),
                       sums.squares.data()},
-                     x.data(), keep);
+                     x_.data(), keep);
         },
-        threads_);
+        [&] { squares = regulariser_pass(kind, keep); }, threads_);
+    sums.squares.insert(sums.squares.end(), squares.begin(), squares.end());
     return sums;
 }
 
-void ChannelPasses::add_regulariser(Sums& sums, PassKind kind, const std::vector<ChannelLanes>& x,
-                                    const ChannelLanes& keep) {
-    const LogMatrix& matrix = systems_[0]->left().matrix;
-    const SparseMatrix& regulariser = matrix.regulariser();
-    std::vector<ChannelLanes> residual(regulariser.rows());
-    std::vector<ChannelLanes> squares(sets_rows(kind) ? runs_of(residual.size()) : 0);
-    multiply(regulariser, x.data(), residual.data());
-    for (std::size_t i = 0; i < residual.size() && kind != PassKind::normal; ++i) {
-        ChannelLanes* u = sets_rows(kind) ? &u_[matrix.samples() + i] : nullptr;
-        residual[i] = residual_of(kind, residual[i], keep, u != nullptr ? *u : ChannelLanes{});
+/// The pass over the regulariser's rows. @return the squares of its runs of rows
+std::vector<ChannelLanes> ChannelPasses::regulariser_pass(PassKind kind, const ChannelLanes& keep) {
+    const SparseMatrix& regulariser = matrix().regulariser();
+    std::vector<ChannelLanes> squares(sets_rows(kind) ? runs_of(rest_.size()) : 0);
+    multiply(regulariser, x_.data(), rest_.data());
+    for (std::size_t i = 0; i < rest_.size() && kind != PassKind::normal; ++i) {
+        ChannelLanes* u = sets_rows(kind) ? &u_[matrix().samples() + i] : nullptr;
+        rest_[i] = residual_of(kind, rest_[i], keep, u != nullptr ? *u : ChannelLanes{});
         if (u == nullptr) continue;
-        *u = residual[i];
-        squares[i / sum_block] += residual[i] * residual[i];
+        *u = rest_[i];
+        squares[i / sum_block] += rest_[i] * rest_[i];
     }
-    sums.squares.insert(sums.squares.end(), squares.begin(), squares.end());
-    sums.columns.resize(matrix.columns());
-    add_transposed(regulariser, residual.data(), sums.columns.data());
+    multiply_transpose(regulariser, rest_.data(), rest_columns_.data());
+    return squares;
 }
 
 }  // namespace twofold

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "factor/channel_lanes.hpp"
@@ -18,17 +19,23 @@ class ChannelPasses {
     std::vector<PassResult> operator()(const std::vector<std::optional<RowPass>>& asked);
 
   private:
-    struct Sums;  ///< of a pass: over the columns, and |u|^2
+    struct Sums;                                ///< of a pass: over the columns, and |u|^2
+    using Asked = std::vector<const RowPass*>;  ///< one a system; null of those that wait
 
-    Sums pass(PassKind kind, const std::vector<std::optional<RowPass>>& asked);
-    std::vector<ChannelLanes> unknowns(const std::vector<std::optional<RowPass>>& asked) const;
-    Sums sample_pass(PassKind kind, const std::vector<ChannelLanes>& x, const ChannelLanes& keep);
-    void add_regulariser(Sums& sums, PassKind kind, const std::vector<ChannelLanes>& x,
-                         const ChannelLanes& keep);
+    const LogMatrix& matrix() const { return systems_[0]->left().matrix; }
+    Sums pass(PassKind kind, const Asked& asked);
+    void set_unknowns(const Asked& asked);
+    std::array<Vector, 3> scaled_columns(const Sums& sums) const;
+    Sums row_pass(PassKind kind, const ChannelLanes& keep);
+    std::vector<ChannelLanes> regulariser_pass(PassKind kind, const ChannelLanes& keep);
 
     std::vector<const WeightedSystem*> systems_;
     int threads_;
-    std::vector<ChannelLanes> u_;  ///< a value a row, once a pass has set it
+    std::vector<ChannelLanes> scale_;         ///< D
+    std::vector<ChannelLanes> x_;             ///< D^-1 y, padded, of the pass
+    std::vector<ChannelLanes> u_;             ///< a value a row, once a pass has set it
+    std::vector<ChannelLanes> rest_;          ///< of the pass at the regulariser's rows ...
+    std::vector<ChannelLanes> rest_columns_;  ///< ... and its sums over the columns
 };
 
 }  // namespace twofold

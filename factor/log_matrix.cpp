@@ -89,7 +89,7 @@ Vector LogMatrix::column_norms(std::span<const double> row_weight, int threads) 
                 read.add(i, w, k, row_weight[i] * row_weight[i], part);
             });
         },
-        threads);
+        [] {}, threads);
     Vector norms = with_rest(std::move(sums), [&](const MatrixEntry& e) {
         const double weighted = row_weight[samples() + e.column] * e.value;
         return weighted * weighted;

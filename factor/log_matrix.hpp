@@ -79,8 +79,10 @@ class LogMatrix {
     /// Sums over the columns of the sample rows.
     /// @param add_part add_part(first, end, sums) adds the rows [first, end) to sums, which has
     ///        padded_columns() values and is 0 before
-    template <class Value, class AddPart>
-    std::vector<Value> sum_samples(const AddPart& add_part, int threads) const;
+    /// @param beside beside() is other work, no longer than a part's, that a thread does meanwhile
+    template <class Value, class AddPart, std::invocable Beside>
+    std::vector<Value> sum_samples(const AddPart& add_part, const Beside& beside,
+                                   int threads) const;
 
     /// The sums of the sample rows cut to the columns, plus term(entry) of the regulariser's rows.
     template <class Value, class Term>
@@ -94,22 +96,38 @@ class LogMatrix {
     SparseMatrix regulariser_;
 };
 
-template <class Value, class AddPart>
-std::vector<Value> LogMatrix::sum_samples(const AddPart& add_part, int threads) const {
+/// Columns over which the parts are added up at a time: their sums stay in the cache.
+inline constexpr std::size_t tree_columns = 256;
+
+/// Adds up the columns [first, end) of all parts, in place, into those of the first: the tree,
+/// level by level; an odd last part moves up unchanged.
+template <class Value>
+void add_up(std::vector<std::vector<Value>>& parts, std::size_t first, std::size_t end) {
+    for (std::size_t step = 1; step < parts.size(); step *= 2)
+        for (std::size_t left = 0; left + step < parts.size(); left += 2 * step) {
+            Value* const sums = parts[left].data();
+            const Value* const more = parts[left + step].data();
+            for (std::size_t j = first; j < end; ++j) sums[j] += more[j];
+        }
+}
+
+template <class Value, class AddPart, std::invocable Beside>
+std::vector<Value> LogMatrix::sum_samples(const AddPart& add_part, const Beside& beside,
+                                          int threads) const {
     const RowParts parts = row_parts(samples(), columns());
     std::vector<std::vector<Value>> sums(parts.count);
-    parallel_for(parts.count, threads, [&](std::size_t p) {
+    parallel_for(parts.count + 1, threads, [&](std::size_t task) {
+        if (task == 0) return beside();
+        const std::size_t p = task - 1;
         sums[p].resize(padded_columns());
         const std::size_t end = (p + 1) * parts.length;
         add_part(p * parts.length, end < samples() ? end : samples(), sums[p].data());
     });
-    // The tree, level by level, in place; an odd last part moves up unchanged.
-    for (std::size_t step = 1; step < parts.count; step *= 2)
-        parallel_for((parts.count - 1) / (2 * step) + 1, threads, [&](std::size_t pair) {
-            const std::size_t left = 2 * step * pair;
-            if (left + step >= parts.count) return;
-            for (std::size_t j = 0; j < columns(); ++j) sums[left][j] += sums[left + step][j];
-        });
+    const std::size_t runs = parts.count > 1 ? (columns() - 1) / tree_columns + 1 : 0;
+    parallel_for(runs, threads, [&](std::size_t run) {
+        const std::size_t end = (run + 1) * tree_columns;
+        add_up(sums, run * tree_columns, end < columns() ? end : columns());
+    });
     return std::move(sums[0]);
 }
 
@@ -122,7 +140,7 @@ Vector LogMatrix::multiply_transpose(const RowValue& y, int threads) const {
                 read.add(i, w, k, y(i), part);
             });
         },
-        threads);
+        [] {}, threads);
     return with_rest(std::move(sums),
                      [&](const MatrixEntry& e) { return e.value * y(samples() + e.column); });
 }

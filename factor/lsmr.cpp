@@ -15,14 +15,14 @@ struct Direction {
     Vector unit;
 };
 
-Direction direction_of(const Vector& a) {
+Direction direction_of(Vector a) {
     const double length = norm(a);
-    return {length, length > 0.0 ? divided(a, length) : Vector(a.size(), 0.0)};
+    return {length, length > 0.0 ? divided(std::move(a), length) : Vector(a.size(), 0.0)};
 }
 
 /// A^T u of the unit vector u.
-Vector per_length(const PassResult& result) {
-    return result.length > 0.0 ? divided(result.columns, result.length)
+Vector per_length(PassResult result) {
+    return result.length > 0.0 ? divided(std::move(result.columns), result.length)
                                : Vector(result.columns.size(), 0.0);
 }
 
@@ -36,7 +36,7 @@ class OperatorPasses {
         const Vector product = a_.apply(pass.x);
         if (pass.kind == PassKind::gradient) return {a_.apply_transpose(minus(b_, product))};
         u_ = pass.kind == PassKind::start ? minus(b_, product)
-                                          : plus_scaled(product, -pass.keep, u_);
+                                          : combined(1.0, product, -pass.keep, std::move(u_));
         return {a_.apply_transpose(u_), norm(u_)};
     }
 
@@ -72,15 +72,15 @@ void LsmrRun::take(PassResult result) {
         stage_ = scale_ == 0.0 ? Stage::done : Stage::start;
         if (stage_ == Stage::done) solution_ = {Vector(start_.size(), 0.0), {.history = {0.0}}};
     } else if (stage_ == Stage::start) {
-        begin(result);
+        begin(std::move(result));
     } else if (stage_ == Stage::steps) {
-        step(result);
+        step(std::move(result));
     } else {
         finish(norm(result.columns) / scale_);
     }
 }
 
-void LsmrRun::begin(const PassResult& residual) {
+void LsmrRun::begin(PassResult residual) {
     start_residual_ = norm(residual.columns) / scale_;
     progress_.emplace(rule_, start_residual_);
     const bool finite = std::isfinite(start_residual_);
@@ -90,9 +90,10 @@ void LsmrRun::begin(const PassResult& residual) {
         stage_ = Stage::done;
         return;
     }
-    const Direction v = direction_of(per_length(residual));
     u_length_ = residual.length;
-    v_ = h_ = v.unit;
+    Direction v = direction_of(per_length(std::move(residual)));
+    v_ = std::move(v.unit);
+    h_ = v_;
     alpha_ = alpha_bar_ = v.length;
     zeta_bar_ = v.length * u_length_;
     h_bar_.assign(v_.size(), 0.0);
@@ -100,10 +101,10 @@ void LsmrRun::begin(const PassResult& residual) {
     stage_ = Stage::steps;
 }
 
-void LsmrRun::step(const PassResult& result) {
+void LsmrRun::step(PassResult result) {
     u_length_ = result.length;
-    const Direction v = direction_of(plus_scaled(per_length(result), -u_length_, v_));
-    v_ = v.unit;
+    Direction v = direction_of(plus_scaled(per_length(std::move(result)), -u_length_, v_));
+    v_ = std::move(v.unit);
     alpha_ = v.length;
     advance_solution(u_length_);
     end_ = progress_->record(std::fabs(zeta_bar_) / scale_);
@@ -126,9 +127,10 @@ void LsmrRun::advance_solution(double u_length) {
     const double zeta = c_bar_ * zeta_bar_;
     zeta_bar_ = -s_bar_ * zeta_bar_;
 
-    h_bar_ = plus_scaled(h_, -(theta_bar * rho_ / (rho_before * rho_bar_before)), h_bar_);
-    correction_ = plus_scaled(correction_, zeta / (rho_ * rho_bar_), h_bar_);
-    h_ = plus_scaled(v_, -(theta_next / rho_), h_);
+    h_bar_ =
+        combined(1.0, h_, -(theta_bar * rho_ / (rho_before * rho_bar_before)), std::move(h_bar_));
+    correction_ = plus_scaled(std::move(correction_), zeta / (rho_ * rho_bar_), h_bar_);
+    h_ = combined(1.0, v_, -(theta_next / rho_), std::move(h_));
 }
 
 void LsmrRun::finish(double true_residual) {

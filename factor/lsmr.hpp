@@ -28,8 +28,8 @@ class LsmrRun {
   private:
     enum class Stage { right_side, start, steps, end, done };
 
-    void begin(const PassResult& residual);
-    void step(const PassResult& result);
+    void begin(PassResult residual);
+    void step(PassResult result);
     void finish(double true_residual);
     void advance_solution(double u_length);
 

@@ -48,22 +48,22 @@ Vector QmrRun::argument() const {
     return matrix_exponent_ == 0 ? x : times_power_of_two(x, -(matrix_exponent_ / 2));
 }
 
-Vector QmrRun::scaled_back(const Vector& product) const {
-    return matrix_exponent_ == 0
-               ? product
-               : times_power_of_two(product, matrix_exponent_ / 2 - matrix_exponent_);
+Vector QmrRun::scaled_back(Vector product) const {
+    if (matrix_exponent_ == 0) return product;
+    return times_power_of_two(product, matrix_exponent_ / 2 - matrix_exponent_);
 }
 
-void QmrRun::take(const Vector& product) {
+void QmrRun::take(Vector product) {
+    product = scaled_back(std::move(product));
     switch (stage_) {
         case Stage::start:
-            return begin(minus(b_, scaled_back(product)));
+            return begin(minus(b_, product));
         case Stage::product:
-            return take_product(scaled_back(product));
+            return take_product(std::move(product));
         case Stage::transpose:
-            return advance_lanczos(scaled_back(product));
+            return advance_lanczos(product);
         case Stage::end:
-            return finish(norm(minus(b_, scaled_back(product))) / b_norm_);
+            return finish(norm(minus(b_, product)) / b_norm_);
         case Stage::done:
             return;
     }
@@ -89,19 +89,24 @@ void QmrRun::begin_iteration() {
     s.delta = s.epsilon = s.epsilon_scale = 1.0;
     if (const auto end = breakdown_of(s, rule_.breakdown)) return end_with(*end);
 
-    v_ = divided(lanczos_v_, s.rho);
-    if (!symmetric_) w_ = divided(lanczos_w_, s.xi);
+    v_ = divided(std::move(lanczos_v_), s.rho);
+    if (!symmetric_) w_ = divided(std::move(lanczos_w_), s.xi);
     s.delta = dot(w(), v_);
     if (const auto end = breakdown_of(s, rule_.breakdown)) return end_with(*end);
 
-    p_ = first_ ? v_ : plus_scaled(v_, -(s.xi * s.delta / epsilon_before_), p_);
-    if (!symmetric_) q_ = first_ ? w_ : plus_scaled(w_, -(s.rho * s.delta / epsilon_before_), q_);
+    const auto next = [&](const Vector& unit, double length, Vector before) {
+        return first_
+                   ? unit
+                   : combined(1.0, unit, -(length * s.delta / epsilon_before_), std::move(before));
+    };
+    p_ = next(v_, s.xi, std::move(p_));
+    if (!symmetric_) q_ = next(w_, s.rho, std::move(q_));
     stage_ = Stage::product;
 }
 
-void QmrRun::take_product(const Vector& ap) {
+void QmrRun::take_product(Vector ap) {
     QmrScalars& s = scalars_;
-    ap_ = ap;
+    ap_ = std::move(ap);
     s.epsilon = dot(q(), ap_);
     s.epsilon_scale = norm(q()) * norm(ap_);
     s.beta = s.epsilon / s.delta;
@@ -115,8 +120,8 @@ void QmrRun::take_product(const Vector& ap) {
 void QmrRun::advance_lanczos(const Vector& transposed_product) {
     QmrScalars& s = scalars_;
     rho_before_ = s.rho;
-    lanczos_v_ = plus_scaled(ap_, -s.beta, v_);
-    if (!symmetric_) lanczos_w_ = plus_scaled(transposed_product, -s.beta, w_);
+    lanczos_v_ = combined(1.0, ap_, -s.beta, std::move(v_));
+    if (!symmetric_) lanczos_w_ = combined(1.0, transposed_product, -s.beta, std::move(w_));
     s.rho = norm(lanczos_v_);
     s.xi = symmetric_ ? s.rho : norm(lanczos_w_);
     epsilon_before_ = s.epsilon;
@@ -138,10 +143,10 @@ std::optional<SolverStatus> QmrRun::advance_solution() {
 
     eta_ = -eta_ * rho_before_ * s.gamma * s.gamma / (s.beta * gamma_before * gamma_before);
     const double memory = theta_before * s.gamma * (theta_before * s.gamma);
-    d_ = plus_scaled(scaled(eta_, p_), memory, d_);
-    s_ = plus_scaled(scaled(eta_, ap_), memory, s_);
-    x_ = plus_scaled(x_, 1.0, d_);
-    r_ = plus_scaled(r_, -1.0, s_);
+    d_ = combined(eta_, p_, memory, std::move(d_));
+    s_ = combined(eta_, ap_, memory, std::move(s_));
+    x_ = plus_scaled(std::move(x_), 1.0, d_);
+    r_ = plus_scaled(std::move(r_), -1.0, s_);
     return std::nullopt;
 }
 
@@ -189,7 +194,7 @@ class NormalRun {
     }
     void take(PassResult result) {
         if (run_)
-            run_->take(result.columns);
+            run_->take(std::move(result.columns));
         else
             run_.emplace(magnitude_, true, result.columns, start_, rule_);
     }
@@ -205,10 +210,11 @@ class NormalRun {
 }  // namespace
 
 std::vector<Solution> solve_qmr_together(const RowPasses& make, const std::vector<Vector>& start,
-                                         const Vector& magnitude, const StopRule& rule) {
+                                         const Vector& magnitude, const StopRule& rule,
+                                         int threads) {
     std::vector<NormalRun> runs;
     for (std::size_t k = 0; k < start.size(); ++k) runs.emplace_back(start[k], magnitude[k], rule);
-    return in_lockstep(std::move(runs), make);
+    return in_lockstep(std::move(runs), make, threads);
 }
 
 }  // namespace twofold

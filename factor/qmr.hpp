@@ -45,7 +45,7 @@ class QmrRun {
     bool ended() const { return stage_ == Stage::done; }
     Vector argument() const;  ///< of the product that is wanted ...
     bool transposed() const { return stage_ == Stage::transpose; }  ///< ... with A^T or with A
-    void take(const Vector& product);
+    void take(Vector product);
     Solution solution();
 
   private:
@@ -53,12 +53,12 @@ class QmrRun {
 
     void begin(Vector residual);
     void begin_iteration();
-    void take_product(const Vector& ap);
+    void take_product(Vector ap);
     void advance_lanczos(const Vector& transposed_product);
     std::optional<SolverStatus> advance_solution();
     void end_with(SolverStatus status);
     void finish(double true_residual);
-    Vector scaled_back(const Vector& product) const;
+    Vector scaled_back(Vector product) const;
 
     // For a symmetric A the two Lanczos bases coincide bit for bit.
     const Vector& w() const { return symmetric_ ? v_ : w_; }
@@ -85,7 +85,8 @@ class QmrRun {
     // unscaled Lanczos vectors.
     Vector x_, r_;
     Vector lanczos_v_, lanczos_w_;
-    Vector v_, w_, p_, q_, ap_;
+    Vector v_, w_;  ///< of unit length, until the next of the unscaled ones take their memory
+    Vector p_, q_, ap_;
     Vector d_, s_;  ///< steps of x and of the residual
     QmrScalars scalars_;
     double rho_before_ = 1.0;
@@ -98,6 +99,7 @@ class QmrRun {
 /// QMR on the normal equations of several systems over the same rows, in lockstep.
 /// @param magnitude about the largest entry of A^T A of each
 std::vector<Solution> solve_qmr_together(const RowPasses& make, const std::vector<Vector>& start,
-                                         const Vector& magnitude, const StopRule& rule);
+                                         const Vector& magnitude, const StopRule& rule,
+                                         int threads);
 
 }  // namespace twofold

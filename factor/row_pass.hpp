@@ -1,9 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "factor/solver.hpp"
+#include "texunit/parallel.hpp"
 
 namespace twofold {
 
@@ -33,22 +35,23 @@ struct PassResult {
 using RowPasses =
     std::function<std::vector<PassResult>(const std::vector<std::optional<RowPass>>&)>;
 
-/// Solves in lockstep: each has its own recurrence, and what they ask for is done in one pass.
+/// Solves in lockstep: each has its own recurrence, on a thread, and what they ask for is done in
+/// one pass.
 /// @tparam Run request() gives the next pass or nothing at the end, take() its result, solution()
 ///         what came of it
 template <class Run>
-std::vector<Solution> in_lockstep(std::vector<Run> runs, const RowPasses& make) {
+std::vector<Solution> in_lockstep(std::vector<Run> runs, const RowPasses& make, int threads) {
+    std::vector<std::optional<RowPass>> asked(runs.size());
+    std::vector<PassResult> results;
+    const auto advance = [&](std::size_t k) {
+        if (asked[k]) runs[k].take(std::move(results[k]));
+        asked[k] = runs[k].request();
+    };
     for (;;) {
-        std::vector<std::optional<RowPass>> asked;
-        bool any = false;
-        for (const Run& run : runs) {
-            asked.push_back(run.request());
-            any = any || asked.back();
-        }
-        if (!any) break;
-        std::vector<PassResult> results = make(asked);
-        for (std::size_t k = 0; k < runs.size(); ++k)
-            if (asked[k]) runs[k].take(std::move(results[k]));
+        parallel_for(runs.size(), threads, advance);
+        if (std::none_of(asked.begin(), asked.end(), [](const auto& a) { return a.has_value(); }))
+            break;
+        results = make(asked);
     }
     std::vector<Solution> solutions;
     for (Run& run : runs) solutions.push_back(run.solution());

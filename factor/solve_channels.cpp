@@ -11,17 +11,18 @@ namespace {
 
 std::vector<Solution> qmr_together(const RowPasses& make,
                                    const std::vector<const WeightedSystem*>& systems,
-                                   const std::vector<Vector>& start, const StopRule& rule) {
+                                   const std::vector<Vector>& start, const StopRule& rule,
+                                   int threads) {
     Vector magnitude;
     for (const WeightedSystem* system : systems) magnitude.push_back(system->magnitude());
-    return solve_qmr_together(make, start, magnitude, rule);
+    return solve_qmr_together(make, start, magnitude, rule, threads);
 }
 
 std::vector<Solution> lsmr_together(const RowPasses& make, const std::vector<Vector>& start,
-                                    const StopRule& rule) {
+                                    const StopRule& rule, int threads) {
     std::vector<LsmrRun> runs;
     for (const Vector& x : start) runs.emplace_back(x, rule);
-    return in_lockstep(std::move(runs), make);
+    return in_lockstep(std::move(runs), make, threads);
 }
 
 }  // namespace
@@ -40,8 +41,8 @@ std::vector<Solution> solve_channels(Solver solver,
     if (systems.empty()) return {};
     ChannelPasses passes(systems, threads);
     const RowPasses make = [&](const auto& asked) { return passes(asked); };
-    if (solver == Solver::qmr) return qmr_together(make, systems, start, rule);
-    if (solver == Solver::lsmr) return lsmr_together(make, start, rule);
+    if (solver == Solver::qmr) return qmr_together(make, systems, start, rule, threads);
+    if (solver == Solver::lsmr) return lsmr_together(make, start, rule, threads);
     std::vector<Solution> solutions(systems.size());
     parallel_for(systems.size(), threads, [&](std::size_t k) {
         solutions[k] = solve(solver, systems[k]->problem(), start[k], rule);

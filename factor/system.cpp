@@ -158,8 +158,12 @@ Vector WeightedSystem::apply_transpose(const Vector& r) const {
     return scaled_product(left_.matrix.multiply_transpose(weighted, threads_));
 }
 
-Vector WeightedSystem::scaled_product(const Vector& columns) const {
-    return without(unknowns(columns), null_vectors_);
+Vector WeightedSystem::scaled_product(Vector columns) const {
+    return without_null_vectors(unknowns(std::move(columns)));
+}
+
+Vector WeightedSystem::without_null_vectors(Vector y) const {
+    return without(std::move(y), null_vectors_);
 }
 
 Vector WeightedSystem::right_side() const {
@@ -176,10 +180,9 @@ Vector WeightedSystem::scaled_unknowns(const Vector& x) const {
     return y;
 }
 
-Vector WeightedSystem::unknowns(const Vector& y) const {
-    Vector x(y.size());
-    for (std::size_t j = 0; j < y.size(); ++j) x[j] = y[j] / column_scale_[j];
-    return x;
+Vector WeightedSystem::unknowns(Vector y) const {
+    for (std::size_t j = 0; j < y.size(); ++j) y[j] /= column_scale_[j];
+    return y;
 }
 
 LeastSquaresProblem WeightedSystem::problem() const {

@@ -86,10 +86,13 @@ class WeightedSystem {
     Vector right_side() const;                            ///< diag(weight) b
     const Vector& gradient() const { return gradient_; }  ///< B^T diag(weight) b
     Vector scaled_unknowns(const Vector& x) const;        ///< D x
-    Vector unknowns(const Vector& y) const;               ///< D^-1 y
+    Vector unknowns(Vector y) const;                      ///< D^-1 y
 
     /// D^-1 A^T w of the columns' sums A^T w, without what the null vectors collected.
-    Vector scaled_product(const Vector& columns) const;
+    Vector scaled_product(Vector columns) const;
+    Vector without_null_vectors(Vector y) const;
+
+    const Vector& column_scale() const { return column_scale_; }  ///< D
 
     const LogRows& left() const { return left_; }
     const ChannelRows& right() const { return right_; }

@@ -30,10 +30,15 @@ double power_of_two(int e) {
 double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 TWOFOLD_SIMD_CLONES
-Vector plus_scaled(const Vector& a, double f, const Vector& b) {
-    Vector sum(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) sum[i] = a[i] + f * b[i];
-    return sum;
+Vector plus_scaled(Vector a, double f, const Vector& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += f * b[i];
+    return a;
+}
+
+TWOFOLD_SIMD_CLONES
+Vector combined(double f, const Vector& a, double g, Vector b) {
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = f * a[i] + g * b[i];
+    return b;
 }
 
 Vector minus(const Vector& a, const Vector& b) {
@@ -42,16 +47,14 @@ Vector minus(const Vector& a, const Vector& b) {
     return difference;
 }
 
-Vector scaled(double f, const Vector& a) {
-    Vector product(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) product[i] = f * a[i];
-    return product;
+Vector scaled(double f, Vector a) {
+    for (double& x : a) x *= f;
+    return a;
 }
 
-Vector divided(const Vector& a, double f) {
-    Vector quotient(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) quotient[i] = a[i] / f;
-    return quotient;
+Vector divided(Vector a, double f) {
+    for (double& x : a) x /= f;
+    return a;
 }
 
 double largest_magnitude(const Vector& a) {

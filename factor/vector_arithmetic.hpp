@@ -4,7 +4,8 @@
 #include "factor/solver.hpp"
 
 /// What the solvers share: vectors of binary64 with every sum in the fixed order of
-/// docs/exactness.md, section 3.
+/// docs/exactness.md, section 3. A vector that is passed by value and moved in becomes the result:
+/// those of an iteration are too many for the caches, and fresh memory is the slowest.
 namespace twofold {
 
 /// Sum of a_i b_i, in fixed order.
@@ -17,16 +18,19 @@ double total(const Vector& a);
 double norm(const Vector& a);
 
 /// a + f b.
-Vector plus_scaled(const Vector& a, double f, const Vector& b);
+Vector plus_scaled(Vector a, double f, const Vector& b);
+
+/// f a + g b.
+Vector combined(double f, const Vector& a, double g, Vector b);
 
 /// a - b.
 Vector minus(const Vector& a, const Vector& b);
 
 /// f a.
-Vector scaled(double f, const Vector& a);
+Vector scaled(double f, Vector a);
 
 /// a / f, one rounding an element.
-Vector divided(const Vector& a, double f);
+Vector divided(Vector a, double f);
 
 /// The largest |a_i|, 0 for an empty vector.
 double largest_magnitude(const Vector& a);
