@@ -5,8 +5,9 @@
 #   valgrind   memcheck, on the release build
 # Every test program runs whole, in one process; then ctest runs what is no case of theirs: the pinned hashes, the
 # program from outside, captures. The thread sanitizer draws random states by 1, 2 and 7 threads and makes a study
-# instead; memcheck leaves out the second part and the tests tagged [long], which take more than a third of a second
-# without it, and [fpu], as it knows no other rounding mode and no flush to zero. Some tens of minutes each; each prints what it ran and ends with "N passed, M failed".
+# instead. memcheck leaves out the second part, the tests tagged [long], which take more than a third of a second
+# without it, and [fpu], as it knows no other rounding mode. Some tens of minutes each; each prints what it ran and
+# ends with "N passed, M failed".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tool=${1:-}
