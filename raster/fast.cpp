@@ -30,7 +30,7 @@ struct FastState {
     std::vector<WindowMesh<M>> meshes;
     std::vector<TriangleBlock<M>> blocks;
     std::vector<GroupAlpha<M>> alphas;
-    std::deque<std::vector<LaneTexel<M>>> images;
+    std::deque<LaneImages<M>> images;
     std::vector<TilePass<M>> passes;
     Bins bins;
     TileMemoryPool<M> pool;
@@ -42,8 +42,8 @@ LaneShader<M> make_shader(FastState<M>& state, const BoundPass<M>& pass) {
     LaneShader<M> shader{};
     if constexpr (lane_kind<M>() == LaneKind::rounded) shader.rounding = rounding_of(pass.m);
     for (const BoundUnit<M>& unit : pass.units) {
-        state.images.push_back(surrounded(pass.m, unit));
-        shader.unit[shader.units++] = lane_unit<M>(unit, state.images.back().data());
+        state.images.push_back(lane_images(pass.m, unit));
+        shader.unit[shader.units++] = lane_unit(unit, state.images.back());
     }
     return shader;
 }
@@ -80,6 +80,7 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
             set_of,
             drawable_pixels(normal, frame.width, frame.height),
             known,
+            known && (!shader.unit[0].levels.empty() || !shader.unit[1].levels.empty()),
             bounded_sets,
             far_q_sets,
             shader,

@@ -53,7 +53,7 @@ struct Near {
 
     HWY_INLINE Near(const Triangle& t, const Reach& reach, const ByteCorners& c,
                     const Shader<std::uint32_t>& s, std::size_t u) {
-        if (u >= s.units || !knows_reciprocals(s.unit[u])) return;
+        if (u >= s.units || c.choose_level[u] || !knows_reciprocals(s.unit[u])) return;
         std::array<double, 3> w{1.0, 1.0, 1.0};
         if (!c.over_w && !t.equal_w) w = t.inverse_w;
         for (std::size_t k = 0; k < 3; ++k) q_of_vertex[k] = w[k] * (*c.coords[u][k])[q];
@@ -106,8 +106,8 @@ HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const ByteCorn
     const DI di;
     const auto half = [&](const std::int32_t* from) HWY_ATTR {
         const D d;
-        return footprint_by_division(
-            s.unit[u], coordinates_at(d, c, u, coordinate_weights(d, t, c, from)));
+        const auto coordinates = coordinates_at(d, c, u, coordinate_weights(d, t, c, from));
+        return in_bytes(footprint(d, Addresses<D>(d, s.unit[u]), coordinates));
     };
     const Footprint8 low = half(at), high = half(at + hn::Lanes(D()));
     return {hn::Combine(di, high.offset, low.offset), hn::Combine(di, high.weights, low.weights)};
@@ -115,8 +115,8 @@ HWY_NOINLINE Footprints footprints_by_division(const Triangle& t, const ByteCorn
 
 HWY_INLINE void store(const Footprints& f, std::size_t u, std::size_t i, ByteBatch& out) {
     const DI di;
-    hn::StoreU(f.offset, di, out.offset[u].data() + i);
-    hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.weights[u].data() + i));
+    hn::StoreU(f.offset, di, out.fine[u].offset.data() + i);
+    hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.fine[u].weights.data() + i));
 }
 
 /// Footprints of one unit by linear numbers and 1/q where no doubt is left, else as the reference
@@ -219,6 +219,7 @@ void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint
     const std::array<Near, lane_units> near{Near(t, reach, c, s, 0), Near(t, reach, c, s, 1)};
     if (near[0].usable && near[1].usable) return place_both(t, c, s, near, count, out);
     for (std::size_t u = 0; u < s.units; ++u) {
+        if (c.choose_level[u]) continue;
         if (near[u].usable)
             place_one(t, c, s, u, near[u].planes, count, out);
         else

@@ -41,7 +41,7 @@ struct TilePass {
     std::size_t group, member;  ///< number of its group, and of the pass in it
     std::array<std::size_t, max_units> set_of;  ///< the mesh's coordinate set that a unit reads
     PixelRectangle pixels;
-    bool on_lanes;
+    bool on_lanes, has_levels;
     unsigned bounded_sets, far_q_sets;  ///< what vectors need of its triangles' VertexFlags
     LaneShader<M> shader;
     lanes::DepthRule depth;
@@ -178,6 +178,8 @@ lanes::Corners<typename M::Real, typename M::Channel> lane_corners(const TileTri
     }
     for (std::size_t k = 0; k < 3; ++k) out.colors[k] = &corner_color(t, k);
     out.one_color = has_one_color(t);
+    for (std::size_t u = 0; u < lanes::lane_units; ++u)
+        out.choose_level[u] = !t.pass.shader.unit[u].levels.empty();
     return out;
 }
 
@@ -270,6 +272,8 @@ void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileM
                                                     tile.batch.size, tile.batch.places);
         row = covered.row;
         if (covered.count == 0) continue;
+        if (t.pass.has_levels)
+            lanes::choose_levels(edges, corners, t.pass.shader, covered.count, tile.batch);
         lanes::interpolate(edges, corners, t.pass.shader, covered.count, tile.batch);
         if (!waits || tile.batch.size >= lanes::batch_capacity) flush(t.pass, t.certain, tile);
     }
