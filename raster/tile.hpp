@@ -5,6 +5,7 @@
 
 #include "raster/fragment.hpp"
 #include "raster/lane_image.hpp"
+#include "raster/level_bounds.hpp"
 #include "raster/tile_edges.hpp"
 #include "raster/window_mesh.hpp"
 
@@ -44,6 +45,7 @@ struct TilePass {
     bool on_lanes, has_levels;
     unsigned bounded_sets, far_q_sets;  ///< what vectors need of its triangles' VertexFlags
     LaneShader<M> shader;
+    std::array<double, lanes::lane_units> magnified_reach;  ///< of units that choose levels
     lanes::DepthRule depth;
 };
 
@@ -167,19 +169,33 @@ void add_corners(const TileTriangle<M>& t, const TileMemory<M>& tile, lanes::Tri
     if (t.pass.depth.computed) add_depth(t, out);
 }
 
+/// Whether fragments of a triangle may read other texels of unit u than the base's, magnified.
+template <NumericModel M>
+bool chooses_level(const TileTriangle<M>& t, std::size_t u,
+                   const std::array<const std::array<typename M::Real, 4>*, 3>& coords) {
+    const auto& unit = t.pass.shader.unit[u];
+    if (unit.levels.empty()) return false;
+    if (!unit.divide_by_q) return true;
+    const int bits = t.pass.bound.m.snap().fraction_bits;
+    const CoordinateSteps steps = coordinate_steps(*t.pass.mesh, t.triangle, t.setup, bits);
+    const std::array<double, 2> size{unit.in_texels ? 1.0 : unit.image.width,
+                                     unit.in_texels ? 1.0 : unit.image.height};
+    return !(squared_scale_bound(steps, coords, size) <= t.pass.magnified_reach[u]);
+}
+
 template <NumericModel M>
 lanes::Corners<typename M::Real, typename M::Channel> lane_corners(const TileTriangle<M>& t) {
     lanes::Corners<typename M::Real, typename M::Channel> out;
+    out.choose_level.fill(false);
     out.over_w = M::coords_over_w;
     const auto& units = t.pass.bound.units;
     for (std::size_t u = 0; u < units.size(); ++u) {
         const auto& coords = t.pass.mesh->coords[t.pass.set_of[units[u].index]];
         for (std::size_t k = 0; k < 3; ++k) out.coords[u][k] = &coords[t.triangle.vertex[k]];
+        if (t.pass.has_levels) out.choose_level[u] = chooses_level(t, u, out.coords[u]);
     }
     for (std::size_t k = 0; k < 3; ++k) out.colors[k] = &corner_color(t, k);
     out.one_color = has_one_color(t);
-    for (std::size_t u = 0; u < lanes::lane_units; ++u)
-        out.choose_level[u] = !t.pass.shader.unit[u].levels.empty();
     return out;
 }
 
