@@ -9,6 +9,8 @@
 #include <hwy/highway.h>
 
 #include "raster/lane_address-inl.hpp"
+#include "raster/lane_levels-inl.hpp"
+#include "raster/lane_near-inl.hpp"
 #include "raster/lane_weights-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -75,8 +77,7 @@ HWY_INLINE V levels_of_detail(V squared_rho, double bias) {
 
 // -------------------------------------------------------------------------------------- the choice
 
-/// What fragments read: image 0 is the base, magnified, 1 + k is level k, minified. The next one
-/// has a share of the result.
+/// The image that fragments read (ReadImage) and the share of the next one.
 struct Choice {
     V image, share;
 };
@@ -93,32 +94,20 @@ HWY_INLINE Choice chosen(const LevelRule& rule, std::size_t levels, V lod) {
     return {image, rule.blends ? hn::Sub(held, level) : hn::Zero(d)};
 }
 
+/// Footprints of each fragment in its image.
 template <class R, class Texel>
-HWY_INLINE Addresses<R> addresses_of(R r, const Unit<Texel>& unit, int image) {
-    if (image == 0) return Addresses<R>(r, unit);
-    return Addresses<R>(r, unit, unit.levels[static_cast<std::size_t>(image - 1)],
-                        unit.rule.linear);
-}
-
-/// Footprints in one image for each fragment: those of an image for all, as often as there are
-/// different images.
-template <class R, class Texel>
-HWY_INLINE Footprint<R> footprint_in(R r, const Unit<Texel>& unit, V image,
+HWY_INLINE Footprint<R> footprint_in(R r, const Unit<Texel>& unit, V images,
                                      const Coordinates<R>& at) {
     const I di;
-    const auto numbers = hn::DemoteTo(di, image);
-    alignas(64) std::array<std::int32_t, hn::MaxLanes(D())> each;
-    hn::StoreU(numbers, di, each.data());
-    const auto [least, most] = std::minmax_element(each.begin(), each.end());
-    Footprint<R> out = footprint(r, addresses_of(r, unit, *least), at);
-    for (std::int32_t k = *least + 1; k <= *most; ++k) {
-        const auto here = hn::Eq(numbers, hn::Set(di, k));
-        if (hn::AllFalse(di, here)) continue;
-        const auto also = hn::Eq(in_format(r, image), hn::Set(r, static_cast<hn::TFromD<R>>(k)));
-        const Footprint<R> f = footprint(r, addresses_of(r, unit, k), at);
+    Footprint<R> out{hn::Zero(di), hn::Zero(r), hn::Zero(r)};
+    for_each_image(di, hn::DemoteTo(di, images), [&](std::int32_t k, hn::Mask<I> here) HWY_ATTR {
+        const auto [image, linear] = read_image(unit, k);
+        const Footprint<R> f = footprint(r, Addresses<R>(r, unit, image, linear), at);
+        const auto number = hn::Set(r, static_cast<hn::TFromD<R>>(k));
+        const auto also = hn::Eq(in_format(r, images), number);
         out = {hn::IfThenElse(here, f.offset, out.offset), hn::IfThenElse(also, f.a, out.a),
                hn::IfThenElse(also, f.b, out.b)};
-    }
+    });
     return out;
 }
 
@@ -147,28 +136,78 @@ HWY_INLINE void store_share(R r, V share, hn::TFromD<R>* out) {
     hn::StoreU(in_format(r, share), r, out);
 }
 
-/// The footprints of one unit, of which each fragment chooses the level.
+/// The footprints of one unit from fragment i on, of which each chooses its level.
+template <class Real, class Channel, class Texel, class Batch>
+HWY_INLINE void choose_exactly(const Triangle& t, const Corners<Real, Channel>& c,
+                               const Unit<Texel>& unit, std::size_t u, std::size_t i, Batch& out) {
+    const D d;
+    using R = hn::Rebind<Real, D>;
+    const R r;
+    const Neighbourhood<R> at =
+        neighbourhood(r, t, c, u, pixels_at(t, out.places.at.data() + i));
+    const V lod =
+        levels_of_detail(squared_scale(r, Addresses<R>(r, unit), at), unit.rule.bias);
+    const Choice choice = chosen(unit.rule, unit.levels.size(), lod);
+    store(r, footprint_in(r, unit, choice.image, at.here), i, out.fine[u]);
+    if (!unit.rule.blends) return;
+    store_share(r, choice.share, out.coarse_share[u].data() + i);
+    if (hn::AllTrue(d, hn::Eq(choice.share, hn::Zero(d))))
+        return hn::StoreU(hn::Zero(I()), I(), out.coarse[u].offset.data() + i);
+    const V most = hn::Set(d, static_cast<double>(unit.levels.size()));
+    const V next = hn::Min(hn::Add(choice.image, hn::Set(d, 1.0)), most);
+    store(r, footprint_in(r, unit, next, at.here), i, out.coarse[u]);
+}
+
+/// The same for all fragments.
 template <class Real, class Channel, class Texel, class Batch>
 void choose(const Triangle& t, const Corners<Real, Channel>& c, const Unit<Texel>& unit,
             std::size_t u, std::size_t count, Batch& out) {
-    const D d;
-    const hn::Rebind<Real, D> r;
-    const Addresses<hn::Rebind<Real, D>> base(r, unit);
-    const V most = hn::Set(d, static_cast<double>(unit.levels.size()));
-    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(d)) {
-        const auto at = neighbourhood(r, t, c, u, pixels_at(t, out.places.at.data() + i));
-        const V lod = levels_of_detail(squared_scale(r, base, at), unit.rule.bias);
-        const Choice choice = chosen(unit.rule, unit.levels.size(), lod);
-        store(r, footprint_in(r, unit, choice.image, at.here), i, out.fine[u]);
-        if (!unit.rule.blends) continue;
-        store_share(r, choice.share, out.coarse_share[u].data() + i);
-        if (hn::AllTrue(d, hn::Eq(choice.share, hn::Zero(d))))
-            hn::StoreU(hn::Zero(I()), I(), out.coarse[u].offset.data() + i);
-        else
-            store(r,
-                  footprint_in(r, unit, hn::Min(hn::Add(choice.image, hn::Set(d, 1.0)), most),
-                               at.here),
-                  i, out.coarse[u]);
+    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(D()))
+        choose_exactly(t, c, unit, u, i, out);
+}
+
+HWY_INLINE void store(const Footprints& f, std::size_t i, ByteFootprints& out) {
+    hn::StoreU(f.offset, DI(), out.offset.data() + i);
+    hn::StoreU(f.weights, DI(), reinterpret_cast<std::int32_t*>(out.weights.data() + i));
+}
+
+/// Chooses by near places, unless doubt is left.
+HWY_INLINE bool choose_near(const Triangle& t, const FourPlanes& planes,
+                            const Unit<std::uint32_t>& unit, std::size_t u, std::size_t i,
+                            ByteBatch& out) {
+    const DI di;
+    const VI at = hn::LoadU(di, out.places.at.data() + i);
+    const Two x = columns_of(t, at), y = rows_of(t, at);
+    const NearPoint here = near_point(planes, x, y);
+    const NearChoice choice =
+        near_choice(unit.rule, unit.levels.size(),
+                    near_levels_of_detail(planes, unit.rule.bias, x, y, here));
+    const NearFootprints fine = near_footprints(unit, choice.image, here);
+    if (HWY_UNLIKELY(!hn::AllFalse(di, hn::Or(choice.doubt, fine.doubt)))) return false;
+    store(fine.at, i, out.fine[u]);
+    if (!unit.rule.blends) return true;
+    hn::StoreU(choice.share, di, reinterpret_cast<std::int32_t*>(out.coarse_share[u].data() + i));
+    if (hn::AllTrue(di, hn::Eq(choice.share, hn::Zero(di)))) {
+        hn::StoreU(hn::Zero(di), di, out.coarse[u].offset.data() + i);
+        return true;
+    }
+    const VI most = hn::Set(di, static_cast<std::int32_t>(unit.levels.size()));
+    const NearFootprints coarse =
+        near_footprints(unit, hn::Min(hn::Add(choice.image, hn::Set(di, 1)), most), here);
+    store(coarse.at, i, out.coarse[u]);
+    return hn::AllFalse(di, coarse.doubt);
+}
+
+/// By near places where they are known.
+void choose(const Triangle& t, const ByteCorners& c, const Unit<std::uint32_t>& unit,
+            std::size_t u, std::size_t count, ByteBatch& out) {
+    const Near near(t, reach_of(t), c, unit, u);
+    if (!near.usable_beside || !knows_near_levels(unit))
+        return choose<double, int, std::uint32_t, ByteBatch>(t, c, unit, u, count, out);
+    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(DI())) {
+        if (HWY_LIKELY(choose_near(t, near.planes, unit, u, i, out))) continue;
+        choose_exactly(t, c, unit, u, i, out);
+        choose_exactly(t, c, unit, u, i + hn::Lanes(D()), out);
     }
 }
 
@@ -183,7 +222,7 @@ void read_base_only(std::size_t u, std::size_t count, Batch& out) {
 }
 
 template <class Real, class Channel, class Shader, class Batch>
-void choose_of_units(const Triangle& t, const Corners<Real, Channel>& c, const Shader& s,
+void choose_for_units(const Triangle& t, const Corners<Real, Channel>& c, const Shader& s,
                      std::size_t count, Batch& out) {
     for (std::size_t u = 0; u < s.units; ++u) {
         if (c.choose_level[u])
@@ -195,19 +234,19 @@ void choose_of_units(const Triangle& t, const Corners<Real, Channel>& c, const S
 
 void choose_u8(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                std::size_t count, ByteBatch& out) {
-    choose_of_units(t, c, s, count, out);
+    choose_for_units(t, c, s, count, out);
 }
 void choose_f64(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
                 std::size_t count, RealBatch<double>& out) {
-    choose_of_units(t, c, s, count, out);
+    choose_for_units(t, c, s, count, out);
 }
 void choose_f32(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
                 std::size_t count, RealBatch<float>& out) {
-    choose_of_units(t, c, s, count, out);
+    choose_for_units(t, c, s, count, out);
 }
 void choose_rounded(const Triangle& t, const ByteCorners& c, const RoundedShader& s,
                     std::size_t count, RealBatch<double>& out) {
-    choose_of_units(t, c, s, count, out);
+    choose_for_units(t, c, s, count, out);
 }
 
 }  // namespace
