@@ -32,15 +32,16 @@ ReadImage<Texel> read_image(const Unit<Texel>& unit, std::int32_t number) {
     return {unit.levels[static_cast<std::size_t>(number - 1)], unit.rule.linear};
 }
 
-/// Calls f(number, mask) for each image that fragments read.
+/// Calls f(number, mask) for each image that fragments read, of `levels` and the magnified one.
 template <class T, class F>
-HWY_INLINE void for_each_image(T d, hn::Vec<T> numbers, F&& f) {
-    alignas(64) std::array<std::int32_t, hn::MaxLanes(T())> each;
-    hn::StoreU(numbers, d, each.data());
-    const auto [least, most] = std::minmax_element(each.begin(), each.end());
-    for (std::int32_t k = *least; k <= *most; ++k) {
+HWY_INLINE void for_each_image(T d, hn::Vec<T> numbers, std::size_t levels, F&& f) {
+    const auto first = hn::Eq(numbers, hn::Set(d, hn::GetLane(numbers)));
+    const bool one = hn::AllTrue(d, first);
+    const auto last = static_cast<std::int32_t>(levels);
+    for (std::int32_t k = one ? hn::GetLane(numbers) : 0; k <= last; ++k) {
         const auto here = hn::Eq(numbers, hn::Set(d, k));
         if (!hn::AllFalse(d, here)) f(k, here);
+        if (one) return;
     }
 }
 
@@ -175,7 +176,7 @@ HWY_INLINE NearFootprints near_footprints(const Unit<std::uint32_t>& unit, VI im
                                           const NearPoint& point) {
     const DI di;
     NearFootprints out{{hn::Zero(di), hn::Zero(di)}, hn::FirstN(di, 0)};
-    for_each_image(di, images, [&](std::int32_t k, hn::Mask<DI> here) HWY_ATTR {
+    for_each_image(di, images, unit.levels.size(), [&](std::int32_t k, hn::Mask<DI> here) HWY_ATTR {
         const NearFootprints f = near_footprints(unit, k, point);
         out.at = {hn::IfThenElse(here, f.at.offset, out.at.offset),
                   hn::IfThenElse(here, f.at.weights, out.at.weights)};

@@ -100,14 +100,15 @@ HWY_INLINE Footprint<R> footprint_in(R r, const Unit<Texel>& unit, V images,
                                      const Coordinates<R>& at) {
     const I di;
     Footprint<R> out{hn::Zero(di), hn::Zero(r), hn::Zero(r)};
-    for_each_image(di, hn::DemoteTo(di, images), [&](std::int32_t k, hn::Mask<I> here) HWY_ATTR {
+    const auto each = [&](std::int32_t k, hn::Mask<I> here) HWY_ATTR {
         const auto [image, linear] = read_image(unit, k);
         const Footprint<R> f = footprint(r, Addresses<R>(r, unit, image, linear), at);
         const auto number = hn::Set(r, static_cast<hn::TFromD<R>>(k));
         const auto also = hn::Eq(in_format(r, images), number);
         out = {hn::IfThenElse(here, f.offset, out.offset), hn::IfThenElse(also, f.a, out.a),
                hn::IfThenElse(also, f.b, out.b)};
-    });
+    };
+    for_each_image(di, hn::DemoteTo(di, images), unit.levels.size(), each);
     return out;
 }
 
@@ -138,8 +139,9 @@ HWY_INLINE void store_share(R r, V share, hn::TFromD<R>* out) {
 
 /// The footprints of one unit from fragment i on, of which each chooses its level.
 template <class Real, class Channel, class Texel, class Batch>
-HWY_INLINE void choose_exactly(const Triangle& t, const Corners<Real, Channel>& c,
-                               const Unit<Texel>& unit, std::size_t u, std::size_t i, Batch& out) {
+HWY_NOINLINE void choose_exactly(const Triangle& t, const Corners<Real, Channel>& c,
+                                 const Unit<Texel>& unit, std::size_t u, std::size_t i,
+                                 Batch& out) {
     const D d;
     using R = hn::Rebind<Real, D>;
     const R r;
