@@ -106,9 +106,8 @@ struct TriangleRange {
 
 /// What a lookup's alphas are in each triangle, as far as one level goes.
 template <NumericModel M>
-std::vector<std::uint8_t> level_alphas(const TriangleRange<M>& triangles,
-                                       const AlphaLookup& lookup, const TexelColumns& places,
-                                       std::size_t level) {
+std::vector<std::uint8_t> level_alphas(const TriangleRange<M>& triangles, const AlphaLookup& lookup,
+                                       const TexelColumns& places, std::size_t level) {
     std::vector<std::uint8_t> known(triangles.count + lanes::widest);
     lanes::find_alphas(lookup.grid(level), {places.u.data(), places.v.data()}, triangles.list(),
                        known.data());

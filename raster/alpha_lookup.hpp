@@ -59,8 +59,9 @@ inline constexpr int most_cells = 128;
 template <NumericModel M>
 bool alpha_is_bounded(const BoundUnit<M>& unit) {
     const TextureUnitState& s = unit.state;
-    return s.target != TextureTarget::cube_map && s.wrap_s == Wrap::clamp_to_edge && s.wrap_t == Wrap::clamp_to_edge &&
-           s.env.mode == TexEnvMode::modulate && unit.env.alpha_scale == 1;
+    return s.target != TextureTarget::cube_map && s.wrap_s == Wrap::clamp_to_edge &&
+           s.wrap_t == Wrap::clamp_to_edge && s.env.mode == TexEnvMode::modulate &&
+           unit.env.alpha_scale == 1;
 }
 
 /// What the alphas of one cell are.
@@ -90,7 +91,8 @@ AlphaLevel alpha_level(const M& m, const UploadedImage<M>& image) {
         for (int i = 0; i < columns; ++i) {
             const AlphaKnown known = cell_alpha(m, image, cell, i, j);
             left += known == AlphaKnown::zero ? 1u : (known == AlphaKnown::one ? 1u << 16 : 0u);
-            const std::size_t at = static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i);
+            const std::size_t at =
+                static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i);
             level.count[at + stride + 1] = level.count[at + 1] + left;
         }
     }

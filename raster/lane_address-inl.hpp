@@ -113,7 +113,8 @@ struct Addresses {
 
     /// @param image  of the unit's levels
     template <class Texel>
-    HWY_INLINE Addresses(R r, const Unit<Texel>& unit, const Image<Texel>& image, bool linear_filter)
+    HWY_INLINE Addresses(R r, const Unit<Texel>& unit, const Image<Texel>& image,
+                         bool linear_filter)
         : x(r, image.width, unit.wrap_s, unit.in_texels),
           y(r, image.height, unit.wrap_t, unit.in_texels),
           first(static_cast<int>(image.texels - unit.image.texels) + image.stride + 1),

@@ -11,18 +11,20 @@ namespace twofold::lanes {
 inline constexpr int tile_edge_bits = 7;
 inline constexpr int tile_edge = 1 << tile_edge_bits;  ///< pixels
 inline constexpr std::size_t tile_pixels = std::size_t{tile_edge} * tile_edge;
-inline constexpr std::size_t widest = 16;          ///< lanes that a load or store may run past an end
-inline constexpr std::size_t cover_capacity = 192;   ///< pixels of a triangle covered at once
+inline constexpr std::size_t widest = 16;  ///< lanes that a load or store may run past an end
+inline constexpr std::size_t cover_capacity = 192;  ///< pixels of a triangle covered at once
 inline constexpr std::size_t batch_capacity = 256;  ///< fragments shaded at once
 
-inline constexpr std::size_t batch_room = batch_capacity + cover_capacity + 2 * tile_edge + 2 * widest;
+inline constexpr std::size_t batch_room =
+    batch_capacity + cover_capacity + 2 * tile_edge + 2 * widest;
 template <class T>
 using BatchColumn = std::array<T, batch_room>;
 
 /// Where a batch's fragments lie: triangle after triangle, rows from the top, left to right.
 struct BatchPlaces {
     alignas(64) BatchColumn<std::int32_t> at;  ///< number of the pixel in the tile
-    alignas(64) BatchColumn<double> z;         ///< as the depth buffer holds it, unless it was decided early
+    alignas(64)
+        BatchColumn<double> z;  ///< as the depth buffer holds it, unless it was decided early
 };
 
 /// A unit's footprints in its texture: the offset of the lesser texel and the weights of the next

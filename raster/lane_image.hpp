@@ -177,20 +177,19 @@ lanes::Unit<LaneTexel<M>> lane_unit(const BoundUnit<M>& unit, const LaneImages<M
     const lanes::Image<LaneTexel<M>>& image = images.levels[0];
     const TextureUnitState& s = unit.state;
     const double to_centre = s.mag_filter == Filter::linear ? 128.0 : 0.0;
-    lanes::Unit<LaneTexel<M>> out{
-            image,
-            s.wrap_s,
-            s.wrap_t,
-            s.mag_filter == Filter::linear,
-            s.divide_by_q,
-            s.target == TextureTarget::rectangle,
-            s.env.mode == TexEnvMode::replace,
-            unit.env.rgb_scale,
-            unit.env.alpha_scale,
-            {256.0 * image.width, 256.0 * image.height, 0.0, 1.0},
-            {to_centre, to_centre, 0.0, 0.0},
-            {},
-            {}};
+    lanes::Unit<LaneTexel<M>> out{image,
+                                  s.wrap_s,
+                                  s.wrap_t,
+                                  s.mag_filter == Filter::linear,
+                                  s.divide_by_q,
+                                  s.target == TextureTarget::rectangle,
+                                  s.env.mode == TexEnvMode::replace,
+                                  unit.env.rgb_scale,
+                                  unit.env.alpha_scale,
+                                  {256.0 * image.width, 256.0 * image.height, 0.0, 1.0},
+                                  {to_centre, to_centre, 0.0, 0.0},
+                                  {},
+                                  {}};
     if (!unit.derivatives) return out;
     out.levels = images.levels;
     out.rule = level_rule(unit);

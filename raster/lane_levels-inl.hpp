@@ -131,14 +131,12 @@ HWY_INLINE NearChoice near_choice(const LevelRule& rule, std::size_t levels, VI 
     const auto last = static_cast<std::int32_t>(levels - 1) << lod_bits;
     const auto minified = hn::Lt(hn::Set(di, most_magnified), lod);
     const VI held = hn::IfThenElseZero(minified, hn::Min(lod, hn::Set(di, last)));
-    const VI raised =
-        rule.nearest ? hn::Add(held, hn::Set(di, (1 << (lod_bits - 1)) - 1)) : held;
+    const VI raised = rule.nearest ? hn::Add(held, hn::Set(di, (1 << (lod_bits - 1)) - 1)) : held;
     const VI image = hn::Add(hn::ShiftRight<lod_bits>(raised), hn::Set(di, 1));
     const VI share = hn::And(hn::ShiftRight<lod_bits - 8>(held), hn::Set(di, 255));
     const VI beside = hn::And(hn::Add(lod, hn::Set(di, 8)), hn::Set(di, 0x7ff0));
     return {hn::IfThenElseZero(minified, image), rule.blends ? share : hn::Zero(di),
-            hn::And(hn::Eq(beside, hn::Zero(di)),
-                    hn::Lt(hn::Set(di, most_magnified - 16), lod))};
+            hn::And(hn::Eq(beside, hn::Zero(di)), hn::Lt(hn::Set(di, most_magnified - 16), lod))};
 }
 
 // ------------------------------------------------------------------------------------- footprints

@@ -1,5 +1,5 @@
-// Texture places as linear numbers over a third, on vectors, compiled once for each instruction set:
-// no #pragma once.
+// Texture places as linear numbers over a third, on vectors, compiled once for each instruction
+// set: no #pragma once.
 #include <algorithm>
 #include <cmath>
 
@@ -49,7 +49,7 @@ struct Near {
     FourPlanes planes;
     std::array<double, 3> q_of_vertex;
     bool usable = false;
-    bool moderate = false;      ///< a product of two such q is a number of binary32
+    bool moderate = false;       ///< a product of two such q is a number of binary32
     bool usable_beside = false;  ///< at the neighbours of the triangle's pixels, too
 
     Near() {}
@@ -62,17 +62,16 @@ struct Near {
         alignas(32) std::array<double, 4> largest;
         weigh(t, reach, c, unit, u, w, largest);
         // Each rounding strays by 2^-53 of the largest term. Places above 2^20 are clamped.
-        const double least = t.area * std::min(std::min(std::fabs(q_of_vertex[0]),
-                                                        std::fabs(q_of_vertex[1])),
-                                               std::fabs(q_of_vertex[2]));
+        const double least =
+            t.area * std::min(std::min(std::fabs(q_of_vertex[0]), std::fabs(q_of_vertex[1])),
+                              std::fabs(q_of_vertex[2]));
         usable = largest[x] <= 0x1p26 * least && largest[y] <= 0x1p26 * least &&
                  largest[q] <= 0x1p8 * least;
         moderate = usable && least >= 0x1p-50 && largest[q] <= 0x1p50;
-        const double beside =
-            least - std::max(std::fabs(planes.dx[q]), std::fabs(planes.dy[q]));
+        const double beside = least - std::max(std::fabs(planes.dx[q]), std::fabs(planes.dy[q]));
         // Places below 2^23 are not clamped.
-        usable_beside = usable && largest[x] <= 0x1p23 * beside &&
-                        largest[y] <= 0x1p23 * beside && largest[q] <= 0x1p8 * beside;
+        usable_beside = usable && largest[x] <= 0x1p23 * beside && largest[y] <= 0x1p23 * beside &&
+                        largest[q] <= 0x1p8 * beside;
     }
 
   private:
@@ -92,13 +91,13 @@ struct Near {
             };
             const auto v0 = value(0), v1 = value(1), v2 = value(2);
             const auto sum = [&](double a, double b, double d) HWY_ATTR {
-                return hn::Add(hn::Add(hn::Mul(v0, hn::Set(four, a)), hn::Mul(v1, hn::Set(four, b))),
-                               hn::Mul(v2, hn::Set(four, d)));
+                return hn::Add(
+                    hn::Add(hn::Mul(v0, hn::Set(four, a)), hn::Mul(v1, hn::Set(four, b))),
+                    hn::Mul(v2, hn::Set(four, d)));
             };
-            const auto magnitudes =
-                hn::Add(hn::Add(hn::Mul(hn::Abs(v0), hn::Set(four, reach[0])),
-                                hn::Mul(hn::Abs(v1), hn::Set(four, reach[1]))),
-                        hn::Mul(hn::Abs(v2), hn::Set(four, reach[2])));
+            const auto magnitudes = hn::Add(hn::Add(hn::Mul(hn::Abs(v0), hn::Set(four, reach[0])),
+                                                    hn::Mul(hn::Abs(v1), hn::Set(four, reach[1]))),
+                                            hn::Mul(hn::Abs(v2), hn::Set(four, reach[2])));
             hn::Store(sum(t.e[0].first, t.e[1].first, t.e[2].first), four, planes.first.data() + i);
             hn::Store(sum(t.e[0].dx, t.e[1].dx, t.e[2].dx), four, planes.dx.data() + i);
             hn::Store(sum(t.e[0].dy, t.e[1].dy, t.e[2].dy), four, planes.dy.data() + i);

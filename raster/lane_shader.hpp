@@ -10,7 +10,7 @@
 /// What the vector loops need to know of a pass to shade its fragments.
 namespace twofold::lanes {
 
-inline constexpr std::size_t lane_units = 2;         ///< texture units that vectors know
+inline constexpr std::size_t lane_units = 2;  ///< texture units that vectors know
 
 /// A texture with one texel of surroundings on its left and lower sides and two on the others, as
 /// the wrap modes see them: every texel of a footprint is there without a question.
@@ -42,8 +42,8 @@ struct Unit {
     /// What of s, t, r, q makes places in 1/256 texel, with LINEAR from the centre of texel (0, 0):
     /// the coordinate times `scale`, less q times `shift`.
     std::array<double, 4> scale, shift;
-    /// What fragments choose from, `image` first, in one memory and with one stride; empty: there is
-    /// no choice.
+    /// What fragments choose from, `image` first, in one memory and with one stride; empty: there
+    /// is no choice.
     std::span<const Image<Texel>> levels;
     LevelRule rule;
 };
@@ -75,8 +75,8 @@ struct RoundedShader : Shader<Color<double>> {
     Rounding rounding;
 };
 
-/// Whether a lookup blends four texels. Where only some of a unit's fragments do, the others' weights
-/// are 0, which leaves the lesser texel.
+/// Whether a lookup blends four texels. Where only some of a unit's fragments do, the others'
+/// weights are 0, which leaves the lesser texel.
 template <class Texel>
 bool reads_four(const Unit<Texel>& unit) {
     return unit.linear || (!unit.levels.empty() && unit.rule.linear);

@@ -36,12 +36,12 @@ double magnified_reach(const BoundUnit<M>& unit) {
     return squared_scale_of(magnified_to(unit.state, unit.chooses_level), unit.state.lod_bias);
 }
 
-/// The rho^2 up to which vectors need not choose a level. Where only minification blends four texels
-/// they choose always: weights of nearest texels are 0 only so (reads_four).
+/// The rho^2 up to which vectors need not choose a level. Where only minification blends four
+/// texels they choose always: weights of nearest texels are 0 only so (reads_four).
 template <NumericModel M>
 double only_base_reach(const BoundUnit<M>& unit) {
-    const bool nearest_among_linear = unit.state.mag_filter == Filter::nearest &&
-                                      unit.state.min_filter == Filter::linear;
+    const bool nearest_among_linear =
+        unit.state.mag_filter == Filter::nearest && unit.state.min_filter == Filter::linear;
     return nearest_among_linear ? -1.0 : magnified_reach(unit);
 }
 
@@ -55,7 +55,8 @@ std::vector<double> level_reaches(const BoundUnit<M>& unit) {
     return reaches;
 }
 
-/// What a pixel's step adds to the doubled areas, and what coordinates are weighed with beside them.
+/// What a pixel's step adds to the doubled areas, and what coordinates are weighed with beside
+/// them.
 struct CoordinateSteps {
     double area;
     std::array<double, 3> dx, dy, weight;
@@ -117,8 +118,7 @@ inline double way_bound(const std::array<double, 3>& step, const std::array<doub
 inline double squared_way_bound(const CoordinateSteps& steps, const std::array<double, 3>& d,
                                 const CornerPlaces& at, double ulps) {
     const std::array<double, 3> step{d[0] * at.q[0], d[1] * at.q[1], d[2] * at.q[2]};
-    const double least_q =
-        std::min({std::fabs(at.q[0]), std::fabs(at.q[1]), std::fabs(at.q[2])});
+    const double least_q = std::min({std::fabs(at.q[0]), std::fabs(at.q[1]), std::fabs(at.q[2])});
     const double stray = ulps * largest_of(at.q) * (steps.area + 3.0 * largest_of(d));
     const double behind = steps.area * least_q - std::fabs(step[0] + step[1] + step[2]) - stray;
     if (!(behind > 0.0)) return std::numeric_limits<double>::infinity();

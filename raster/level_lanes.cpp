@@ -88,8 +88,8 @@ HWY_INLINE Choice chosen(const LevelRule& rule, std::size_t levels, V lod) {
     const auto minified = hn::Lt(hn::Set(d, rule.magnified_to), lod);
     const V last = hn::Set(d, static_cast<double>(levels - 1));
     const V held = hn::IfThenElseZero(minified, hn::Min(lod, last));
-    const V level = rule.nearest ? hn::Neg(hn::Floor(hn::Sub(hn::Set(d, 0.5), held)))
-                                 : hn::Floor(held);
+    const V level =
+        rule.nearest ? hn::Neg(hn::Floor(hn::Sub(hn::Set(d, 0.5), held))) : hn::Floor(held);
     const V image = hn::IfThenElseZero(minified, hn::Add(level, hn::Set(d, 1.0)));
     return {image, rule.blends ? hn::Sub(held, level) : hn::Zero(d)};
 }
@@ -145,10 +145,8 @@ HWY_NOINLINE void choose_exactly(const Triangle& t, const Corners<Real, Channel>
     const D d;
     using R = hn::Rebind<Real, D>;
     const R r;
-    const Neighbourhood<R> at =
-        neighbourhood(r, t, c, u, pixels_at(t, out.places.at.data() + i));
-    const V lod =
-        levels_of_detail(squared_scale(r, Addresses<R>(r, unit), at), unit.rule.bias);
+    const Neighbourhood<R> at = neighbourhood(r, t, c, u, pixels_at(t, out.places.at.data() + i));
+    const V lod = levels_of_detail(squared_scale(r, Addresses<R>(r, unit), at), unit.rule.bias);
     const Choice choice = chosen(unit.rule, unit.levels.size(), lod);
     store(r, footprint_in(r, unit, choice.image, at.here), i, out.fine[u]);
     if (!unit.rule.blends) return;
@@ -181,9 +179,8 @@ HWY_INLINE bool choose_near(const Triangle& t, const FourPlanes& planes,
     const VI at = hn::LoadU(di, out.places.at.data() + i);
     const Two x = columns_of(t, at), y = rows_of(t, at);
     const NearPoint here = near_point(planes, x, y);
-    const NearChoice choice =
-        near_choice(unit.rule, unit.levels.size(),
-                    near_levels_of_detail(planes, unit.rule.bias, x, y, here));
+    const NearChoice choice = near_choice(
+        unit.rule, unit.levels.size(), near_levels_of_detail(planes, unit.rule.bias, x, y, here));
     const NearFootprints fine = near_footprints(unit, choice.image, here);
     if (HWY_UNLIKELY(!hn::AllFalse(di, hn::Or(choice.doubt, fine.doubt)))) return false;
     store(fine.at, i, out.fine[u]);
@@ -201,8 +198,8 @@ HWY_INLINE bool choose_near(const Triangle& t, const FourPlanes& planes,
 }
 
 /// By near places where they are known.
-void choose(const Triangle& t, const ByteCorners& c, const Unit<std::uint32_t>& unit,
-            std::size_t u, std::size_t count, ByteBatch& out) {
+void choose(const Triangle& t, const ByteCorners& c, const Unit<std::uint32_t>& unit, std::size_t u,
+            std::size_t count, ByteBatch& out) {
     const Near near(t, reach_of(t), c, unit, u);
     if (!near.usable_beside || !knows_near_levels(unit))
         return choose<double, int, std::uint32_t, ByteBatch>(t, c, unit, u, count, out);
@@ -225,7 +222,7 @@ void read_base_only(std::size_t u, std::size_t count, Batch& out) {
 
 template <class Real, class Channel, class Shader, class Batch>
 void choose_for_units(const Triangle& t, const Corners<Real, Channel>& c, const Shader& s,
-                     std::size_t count, Batch& out) {
+                      std::size_t count, Batch& out) {
     for (std::size_t u = 0; u < s.units; ++u) {
         if (c.choose_level[u])
             choose(t, c, s.unit[u], u, count, out);

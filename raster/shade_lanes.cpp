@@ -100,8 +100,8 @@ HWY_INLINE Texels8 filtered(const Unit<std::uint32_t>& unit, const ByteFootprint
 }
 
 /// What unit u looks up for the fragments from i on.
-HWY_INLINE Texels8 texels_of(const Unit<std::uint32_t>& unit, const ByteBatch& batch,
-                             std::size_t u, std::size_t i) {
+HWY_INLINE Texels8 texels_of(const Unit<std::uint32_t>& unit, const ByteBatch& batch, std::size_t u,
+                             std::size_t i) {
     const U32 d;
     const Texels8 fine = filtered(unit, batch.fine[u], i);
     if (!unit.rule.blends) return fine;

@@ -156,6 +156,24 @@ TEST_CASE("Where a level's share is in doubt it is found as the reference does",
         CHECK(same_pictures(receding(384, times, black_and_white_levels(256), unit), Preset::nv17));
 }
 
+TEST_CASE("Where a pixel shows the border of two texels of a level it reads the right one",
+          "[fast]") {
+    TextureUnitState unit;
+    unit.texture = 0;
+    unit.min_filter = unit.mag_filter = Filter::nearest;
+    unit.mip_filter = MipFilter::nearest;
+    unit.lod_bias = -0.8;  // the picture shows 4 texels of the base a pixel, 2 of level 1
+    PassState state;
+    state.units[0] = unit;
+    for (const double q : {1.0, 3.0, 5.0, 7.0, 11.0, 0.1}) {
+        Mesh mesh = rectangle(0, 0, 16, 16);
+        for (Vec4& c : mesh.texcoords[0]) c = {q * c.x, q * c.y, 0.0, q};
+        Frame frame = pixel_frame(16, 16, mesh, state);
+        frame.textures = {noise_with_mipmaps(64, 64)};
+        for (const Preset preset : all_presets) CHECK(same_pictures(frame, preset));
+    }
+}
+
 TEST_CASE("No pixel of a triangle has a larger scale than its bound", "[fast]") {
     int bounded = 0, near = 0;
     for (std::uint64_t number = 0; number < 4000; ++number) {
