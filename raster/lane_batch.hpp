@@ -67,9 +67,13 @@ struct RealBatch {
 /// Vectors that reach behind the last fragment find addresses there, too.
 template <class Shader, class Batch>
 void end_with_addresses(const Shader& s, Batch& batch) {
-    for (std::size_t u = 0; u < s.units; ++u)
-        for (std::size_t i = batch.size; i < batch.size + widest; ++i)
-            batch.fine[u].offset[i] = batch.coarse[u].offset[i] = 0;
+    const auto end = [&](BatchColumn<std::int32_t>& offset) {
+        for (std::size_t i = batch.size; i < batch.size + widest; ++i) offset[i] = 0;
+    };
+    for (std::size_t u = 0; u < s.units; ++u) {
+        end(batch.fine[u].offset);
+        if (s.unit[u].rule.blends) end(batch.coarse[u].offset);
+    }
 }
 
 }  // namespace twofold::lanes
