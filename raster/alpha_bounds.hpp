@@ -4,108 +4,17 @@
 #include <span>
 #include <vector>
 
-#include "raster/alpha_lanes.hpp"
+#include "raster/alpha_lookup.hpp"
 #include "raster/alpha_outcome.hpp"
 #include "raster/bind.hpp"
 #include "raster/lane_image.hpp"
+#include "raster/level_bounds.hpp"
 #include "raster/window_mesh.hpp"
 
 /// What the alpha test will say of a whole triangle, found before it is drawn: the four passes of
 /// the paper differ in nothing but the hemispheres whose texels have alpha 1, and most triangles lie
 /// in one of them.
 namespace twofold {
-
-/// What is known of the alpha that a unit's lookups give all over a triangle; as find_alphas() of
-/// alpha_lanes.hpp numbers it.
-enum class AlphaKnown : std::uint8_t { nothing, zero, one };
-
-/// A unit's lookup as far as its alpha goes: the set of coordinates, and lanes::AlphaGrid with its
-/// memory.
-struct AlphaLookup {
-    std::size_t set;
-    int width, height;
-    bool in_texels, divide_by_q;
-    int cell_bits;      ///< a cell has 2^cell_bits texels a side
-    int columns, rows;  ///< cells
-    std::vector<std::uint32_t> count;
-
-    lanes::AlphaGrid grid() const { return {width, height, cell_bits, columns, count.data()}; }
-    bool operator==(const AlphaLookup&) const = default;
-};
-
-/// Cells a side at most: the grids of four textures stay in the nearest caches.
-inline constexpr int most_cells = 128;
-
-/// Lookups whose alpha can be bounded: one level, clamped to its edge, combined by MODULATE of alpha
-/// without a scale.
-template <NumericModel M>
-bool alpha_is_bounded(const BoundUnit<M>& unit) {
-    const TextureUnitState& s = unit.state;
-    return s.target != TextureTarget::cube_map && !unit.derivatives &&
-           s.wrap_s == Wrap::clamp_to_edge && s.wrap_t == Wrap::clamp_to_edge &&
-           s.env.mode == TexEnvMode::modulate && unit.env.alpha_scale == 1;
-}
-
-/// What the alphas of one cell are.
-template <NumericModel M>
-AlphaKnown cell_alpha(const M& m, const UploadedImage<M>& image, int cell, int column, int row) {
-    bool zero = true, one = true;
-    for (int j = row * cell; j < std::min(image.height, (row + 1) * cell); ++j)
-        for (int i = column * cell; i < std::min(image.width, (column + 1) * cell); ++i) {
-            const auto alpha = image.texels[static_cast<std::size_t>(j * image.width + i)][3];
-            zero = zero && alpha == typename M::Channel{0};
-            one = one && alpha == m.one();
-        }
-    return zero ? AlphaKnown::zero : (one ? AlphaKnown::one : AlphaKnown::nothing);
-}
-
-template <NumericModel M>
-AlphaLookup alpha_lookup(const M& m, const BoundUnit<M>& unit, std::size_t set) {
-    const UploadedImage<M>& image = unit.texture->levels[0];
-    int cell_bits = 0;
-    while (std::max(image.width, image.height) >> cell_bits > most_cells) ++cell_bits;
-    const int cell = 1 << cell_bits;
-    const int columns = (image.width + cell - 1) / cell, rows = (image.height + cell - 1) / cell;
-    AlphaLookup lookup{set, image.width, image.height,
-                       unit.state.target == TextureTarget::rectangle, unit.state.divide_by_q,
-                       cell_bits, columns, rows, {}};
-    const auto stride = static_cast<std::size_t>(columns) + 1;
-    lookup.count.resize(stride * (static_cast<std::size_t>(rows) + 1));
-    for (int j = 0; j < rows; ++j) {
-        std::uint32_t left = 0;
-        for (int i = 0; i < columns; ++i) {
-            const AlphaKnown known = cell_alpha(m, image, cell, i, j);
-            left += known == AlphaKnown::zero ? 1u : (known == AlphaKnown::one ? 1u << 16 : 0u);
-            const std::size_t at = static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i);
-            lookup.count[at + stride + 1] = lookup.count[at + 1] + left;
-        }
-    }
-    return lookup;
-}
-
-/// Places of vertices in an image, in texels; rounded to binary32, which the margins of
-/// alpha_lanes.cpp allow for.
-struct TexelColumns {
-    std::vector<float> u, v;
-};
-
-template <class Real>
-void place_texels(const AlphaLookup& lookup, const std::vector<std::array<Real, 4>>& coords,
-                  TexelColumns& out) {
-    out.u.resize(coords.size());
-    out.v.resize(coords.size());
-    const double width = lookup.in_texels ? 1 : lookup.width;
-    const double height = lookup.in_texels ? 1 : lookup.height;
-    const auto held = [](double u) {
-        return static_cast<float>(u < -32768.0 ? -32768.0 : (u > 32768.0 ? 32768.0 : u));
-    };
-    for (std::size_t i = 0; i < coords.size(); ++i) {
-        const auto& c = coords[i];
-        const double over_q = lookup.divide_by_q ? 1.0 / static_cast<double>(c[3]) : 1.0;
-        out.u[i] = held(static_cast<double>(c[0]) * width * over_q);
-        out.v[i] = held(static_cast<double>(c[1]) * height * over_q);
-    }
-}
 
 /// A triangle's own alpha, if all its corners have the same.
 template <NumericModel M>
@@ -181,23 +90,69 @@ inline bool is_convex(const AlphaLookup& lookup, const VertexFlags& flags) {
            (!lookup.divide_by_q || ((flags.positive_q | flags.negative_q) & bit));
 }
 
-/// What the lookups' alphas are in some of a mesh's triangles: [lookup][triangle from `first` on].
+/// Some of a mesh's triangles, one after the other.
 template <NumericModel M>
-std::vector<std::vector<std::uint8_t>> known_alphas(const WindowMesh<M>& mesh,
-                                                    const GroupAlpha<M>& group, std::size_t first,
-                                                    std::size_t count) {
-    static_assert(sizeof(MeshTriangle) % sizeof(std::uint32_t) == 0);
-    const lanes::TriangleList list{mesh.triangles[first].vertex.data(),
-                                   sizeof(MeshTriangle) / sizeof(std::uint32_t), count};
-    std::vector<std::vector<std::uint8_t>> known(group.lookups.size());
-    for (std::size_t l = 0; l < known.size(); ++l) {
-        known[l].resize(count + lanes::widest);
-        const TexelColumns& places = group.places[l];
-        lanes::find_alphas(group.lookups[l].grid(), {places.u.data(), places.v.data()}, list,
-                           known[l].data());
-        for (std::size_t k = 0; k < count; ++k)
-            if (!is_convex(group.lookups[l], mesh.triangles[first + k].flags)) known[l][k] = 0;
+struct TriangleRange {
+    const WindowMesh<M>& mesh;
+    std::size_t first, count;
+
+    const MeshTriangle& operator[](std::size_t k) const { return mesh.triangles[first + k]; }
+    lanes::TriangleList list() const {
+        static_assert(sizeof(MeshTriangle) % sizeof(std::uint32_t) == 0);
+        return {mesh.triangles[first].vertex.data(), sizeof(MeshTriangle) / sizeof(std::uint32_t),
+                count};
     }
+};
+
+/// What a lookup's alphas are in each triangle, as far as one level goes.
+template <NumericModel M>
+std::vector<std::uint8_t> level_alphas(const TriangleRange<M>& triangles, const AlphaLookup& lookup,
+                                       const TexelColumns& places, std::size_t level) {
+    std::vector<std::uint8_t> known(triangles.count + lanes::widest);
+    lanes::find_alphas(lookup.grid(level), {places.u.data(), places.v.data()}, triangles.list(),
+                       known.data());
+    return known;
+}
+
+/// The coarsest level that a triangle's lookups may read.
+template <NumericModel M>
+std::size_t coarsest_level(const M& m, const WindowMesh<M>& mesh, const MeshTriangle& t,
+                           const AlphaLookup& lookup) {
+    const std::size_t last = lookup.levels.size() - 1;
+    if (!lookup.divide_by_q) return last;
+    const auto& coords = mesh.coords[lookup.set];
+    const CoordinateSteps steps =
+        coordinate_steps(mesh, t, setup_of(mesh, t), m.snap().fraction_bits);
+    const double bound = squared_scale_bound<typename M::Real>(
+        steps, {&coords[t.vertex[0]], &coords[t.vertex[1]], &coords[t.vertex[2]]}, lookup.scale());
+    std::size_t level = 0;
+    while (level < last && !(bound <= lookup.reach[level])) ++level;
+    return level;
+}
+
+/// Forgets what coarser levels do not say, too.
+template <NumericModel M>
+void ask_coarser_levels(const M& m, const TriangleRange<M>& triangles, const AlphaLookup& lookup,
+                        const TexelColumns& places, std::vector<std::uint8_t>& known) {
+    std::vector<std::size_t> coarsest(triangles.count);
+    for (std::size_t k = 0; k < triangles.count; ++k)
+        if (known[k] != 0) coarsest[k] = coarsest_level(m, triangles.mesh, triangles[k], lookup);
+    const std::size_t last = *std::max_element(coarsest.begin(), coarsest.end());
+    for (std::size_t level = 1; level <= last; ++level) {
+        const auto here = level_alphas(triangles, lookup, places, level);
+        for (std::size_t k = 0; k < triangles.count; ++k)
+            if (level <= coarsest[k] && here[k] != known[k]) known[k] = 0;
+    }
+}
+
+/// What a lookup's alphas are in each triangle.
+template <NumericModel M>
+std::vector<std::uint8_t> known_alphas(const M& m, const TriangleRange<M>& triangles,
+                                       const AlphaLookup& lookup, const TexelColumns& places) {
+    auto known = level_alphas(triangles, lookup, places, 0);
+    for (std::size_t k = 0; k < triangles.count; ++k)
+        if (!is_convex(lookup, triangles[k].flags)) known[k] = 0;
+    if (lookup.levels.size() > 1) ask_coarser_levels(m, triangles, lookup, places, known);
     return known;
 }
 
@@ -216,7 +171,10 @@ void find_outcomes(const WindowMesh<M>& mesh, const std::vector<const BoundPass<
     const std::size_t size = mesh.triangles.size();
     parallel_for((size + block - 1) / block, threads, [&](std::size_t b) {
         const std::size_t first = b * block, count = std::min(block, size - first);
-        const auto known = known_alphas(mesh, group, first, count);
+        std::vector<std::vector<std::uint8_t>> known;  // [lookup][triangle]
+        for (std::size_t l = 0; l < group.lookups.size(); ++l)
+            known.push_back(known_alphas(passes.front()->m, TriangleRange<M>{mesh, first, count},
+                                         group.lookups[l], group.places[l]));
         std::array<AlphaKnown, max_units> units{};
         for (std::size_t p = 0; p < passes.size(); ++p) {
             const auto& of_pass = group.of_pass[p];

@@ -23,9 +23,10 @@ using VF = hn::Vec<F>;
 struct Cells {
     VI first, end;
 
-    HWY_INLINE Cells(VF a, VF b, VF c, int size, int cell_bits) {
+    HWY_INLINE Cells(VF a, VF b, VF c, float scale, int size, int cell_bits) {
         const F f;
-        const VF low = hn::Min(hn::Min(a, b), c), high = hn::Max(hn::Max(a, b), c);
+        const VF low = hn::Mul(hn::Min(hn::Min(a, b), c), hn::Set(f, scale));
+        const VF high = hn::Mul(hn::Max(hn::Max(a, b), c), hn::Set(f, scale));
         const VF largest = hn::Max(hn::Abs(low), hn::Abs(high));
         const VF margin = hn::Add(hn::Set(f, 0.75f), hn::Mul(hn::Set(f, 4e-6f), largest));
         first = cell(hn::Sub(low, margin), size, cell_bits);
@@ -63,9 +64,9 @@ void find(const AlphaGrid& grid, const TexelPlaces& places, const TriangleList& 
         const VI at = left >= lanes ? iota : hn::IfThenElseZero(hn::FirstN(d, left), iota);
         const std::uint32_t* const v = triangles.vertex + i * triangles.stride;
         const Cells x(of_corner(places.u, v, at), of_corner(places.u, v + 1, at),
-                      of_corner(places.u, v + 2, at), grid.width, grid.cell_bits);
+                      of_corner(places.u, v + 2, at), grid.scale_u, grid.width, grid.cell_bits);
         const Cells y(of_corner(places.v, v, at), of_corner(places.v, v + 1, at),
-                      of_corner(places.v, v + 2, at), grid.height, grid.cell_bits);
+                      of_corner(places.v, v + 2, at), grid.scale_v, grid.height, grid.cell_bits);
         const VI row = hn::Set(d, grid.columns + 1);
         const VI below = hn::Mul(y.first, row), above = hn::Mul(y.end, row);
         const auto counted = [&](VI line, VI column) HWY_ATTR {

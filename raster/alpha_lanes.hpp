@@ -11,6 +11,7 @@ namespace twofold::lanes {
 struct AlphaGrid {
     int width, height, cell_bits, columns;
     const std::uint32_t* count;
+    float scale_u = 1.0f, scale_v = 1.0f;  ///< what places are multiplied by to be in the image
 };
 
 /// Places of a mesh's vertices in an image, in texels.

@@ -21,6 +21,7 @@ struct BoundUnit {
     TexEnv env;  ///< the environment as COMBINE, for the texture's base format
     Color<typename M::Channel> env_color;
     bool only_modulates;  ///< the environment is MODULATE of all four channels, unscaled
+    bool chooses_level;   ///< there are levels, and the filter reads them
     bool derivatives;     ///< the lookup needs the neighbouring pixels' coordinates
     /// What the unit reads if it has no choice between levels or faces; else null.
     const UploadedImage<M>* only_image;
@@ -57,6 +58,7 @@ BoundUnit<M> bind_unit(const M& m, std::size_t index, const TextureUnitState& st
             constant_color(m, state.env.color),
             state.env.mode == TexEnvMode::modulate && state.env.rgb_scale == 1 &&
                 texture.base_format == BaseFormat::rgba,
+            chooses_level(state, texture.has_mipmaps()),
             derivatives,
             chooses ? nullptr : &texture.levels[0],
             addressing_of(state)};

@@ -30,7 +30,7 @@ struct FastState {
     std::vector<WindowMesh<M>> meshes;
     std::vector<TriangleBlock<M>> blocks;
     std::vector<GroupAlpha<M>> alphas;
-    std::deque<std::vector<LaneTexel<M>>> images;
+    std::deque<LaneImages<M>> images;
     std::vector<TilePass<M>> passes;
     Bins bins;
     TileMemoryPool<M> pool;
@@ -42,8 +42,8 @@ LaneShader<M> make_shader(FastState<M>& state, const BoundPass<M>& pass) {
     LaneShader<M> shader{};
     if constexpr (lane_kind<M>() == LaneKind::rounded) shader.rounding = rounding_of(pass.m);
     for (const BoundUnit<M>& unit : pass.units) {
-        state.images.push_back(surrounded(pass.m, unit));
-        shader.unit[shader.units++] = lane_unit<M>(unit, state.images.back().data());
+        state.images.push_back(lane_images(pass.m, unit));
+        shader.unit[shader.units++] = lane_unit(unit, state.images.back());
     }
     return shader;
 }
@@ -69,6 +69,8 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
     const bool known = lanes_know<M>(bound);
     auto shader = known ? make_shader(state, bound) : LaneShader<M>{};
     unsigned bounded_sets = 0, far_q_sets = 0;
+    std::array<double, lanes::lane_units> reach{};
+    for (std::size_t u = 0; u < shader.units; ++u) reach[u] = only_base_reach(bound.units[u]);
     for (const BoundUnit<M>& unit : bound.units) {
         bounded_sets |= 1u << set_of[unit.index];
         if (unit.state.divide_by_q) far_q_sets |= 1u << set_of[unit.index];
@@ -80,9 +82,11 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
             set_of,
             drawable_pixels(normal, frame.width, frame.height),
             known,
+            known && (!shader.unit[0].levels.empty() || !shader.unit[1].levels.empty()),
             bounded_sets,
             far_q_sets,
             shader,
+            reach,
             depth_rule(state.m, normal, frame.depth_bits)};
 }
 
@@ -149,16 +153,12 @@ template <NumericModel M>
 void draw_entry(const TilePass<M>& pass, const BinEntry& entry, const PixelRectangle& area,
                 TileMemory<M>& tile) {
     const MeshTriangle& triangle = pass.mesh->triangles[entry.triangle];
-    const auto point = [&](std::size_t k) {
-        const PlacedVertex<M>& v = pass.mesh->vertices[triangle.vertex[k]];
-        return WindowPoint{v.x, v.y};
-    };
     const PixelRectangle pixels{
         std::max({area.x0, pass.pixels.x0, std::int64_t{triangle.x0}}),
         std::max({area.y0, pass.pixels.y0, std::int64_t{triangle.y0}}),
         std::min({area.x1, pass.pixels.x1, std::int64_t{triangle.x1}}),
         std::min({area.y1, pass.pixels.y1, std::int64_t{triangle.y1}})};
-    const TileTriangle<M> t{pass, triangle, set_up({point(0), point(1), point(2)}), pixels,
+    const TileTriangle<M> t{pass, triangle, setup_of(*pass.mesh, triangle), pixels,
                             entry.certain != 0};
     draw_triangle(t, tile);
 }

@@ -71,11 +71,12 @@ HWY_INLINE Axis<R> axis(R r, hn::Vec<R> u, const Extent<R>& in, bool linear) {
     return {hn::Min(hn::Floor(at), in.last), hn::Zero(r)};
 }
 
-/// texel_coordinate(), q being neither 0 nor NaN.
-template <class R>
+/// texel_coordinate(). 0 / 0 is looked for where q may be 0.
+template <bool any_q, class R>
 HWY_INLINE hn::Vec<R> texels_along(R r, hn::Vec<R> s, hn::Vec<R> q, const Extent<R>& in) {
     const auto limit = hn::Set(r, hn::TFromD<R>{32768});
-    const auto u = hn::Div(hn::Mul(s, in.scale), q);
+    auto u = hn::Div(hn::Mul(s, in.scale), q);
+    if constexpr (any_q) u = hn::IfThenElseZero(hn::Eq(u, u), u);
     return hn::Min(hn::Max(u, hn::Neg(limit)), limit);
 }
 
@@ -103,27 +104,47 @@ struct Footprint {
 template <class R>
 struct Addresses {
     Extent<R> x, y;
-    int stride;
+    int first, stride;  ///< texel (0, 0), from the unit's image on
     bool linear, divide_by_q;
 
     template <class Texel>
     HWY_INLINE Addresses(R r, const Unit<Texel>& unit)
-        : x(r, unit.image.width, unit.wrap_s, unit.in_texels),
-          y(r, unit.image.height, unit.wrap_t, unit.in_texels),
-          stride(unit.image.stride),
-          linear(unit.linear),
+        : Addresses(r, unit, unit.image, unit.linear) {}
+
+    /// @param image  of the unit's levels
+    template <class Texel>
+    HWY_INLINE Addresses(R r, const Unit<Texel>& unit, const Image<Texel>& image,
+                         bool linear_filter)
+        : x(r, image.width, unit.wrap_s, unit.in_texels),
+          y(r, image.height, unit.wrap_t, unit.in_texels),
+          first(static_cast<int>(image.texels - unit.image.texels) + image.stride + 1),
+          stride(image.stride),
+          linear(linear_filter),
           divide_by_q(unit.divide_by_q) {}
 };
 
+/// Places in an image, in texels.
+template <class R>
+struct Point {
+    hn::Vec<R> u, v;
+};
+
+/// texel_point() of texunit/texel_address.hpp.
+template <bool any_q, class R>
+HWY_INLINE Point<R> texel_point(R r, const Addresses<R>& in, const Coordinates<R>& c) {
+    const auto q = in.divide_by_q ? c.q : hn::Set(r, hn::TFromD<R>{1});
+    return {texels_along<any_q>(r, c.s, q, in.x), texels_along<any_q>(r, c.t, q, in.y)};
+}
+
+/// q being neither 0 nor NaN.
 template <class R>
 HWY_INLINE Footprint<R> footprint(R r, const Addresses<R>& in, const Coordinates<R>& c) {
-    const auto q = in.divide_by_q ? c.q : hn::Set(r, hn::TFromD<R>{1});
-    const auto x = axis(r, texels_along(r, c.s, q, in.x), in.x, in.linear);
-    const auto y = axis(r, texels_along(r, c.t, q, in.y), in.y, in.linear);
+    const Point<R> point = texel_point<false>(r, in, c);
+    const auto x = axis(r, point.u, in.x, in.linear), y = axis(r, point.v, in.y, in.linear);
     const hn::Rebind<std::int32_t, R> ints;
-    const auto one = hn::Set(ints, 1);
-    const auto line = hn::Mul(hn::Add(as_int(r, y.texel), one), hn::Set(ints, in.stride));
-    return {hn::Add(line, hn::Add(as_int(r, x.texel), one)), x.fraction, y.fraction};
+    const auto line = hn::Mul(as_int(r, y.texel), hn::Set(ints, in.stride));
+    const auto column = hn::Add(as_int(r, x.texel), hn::Set(ints, in.first));
+    return {hn::Add(line, column), x.fraction, y.fraction};
 }
 
 /// 8-bit presets: the fractions are weights in 1/256, a | b << 16.
@@ -131,11 +152,9 @@ struct Footprint8 {
     hn::Vec<I> offset, weights;
 };
 
-HWY_INLINE Footprint8 footprint_by_division(const Unit<std::uint32_t>& unit,
-                                            const Coordinates<D>& c) {
+HWY_INLINE Footprint8 in_bytes(const Footprint<D>& f) {
     const D d;
     const I di;
-    const Footprint<D> f = footprint(d, Addresses<D>(d, unit), c);
     const auto weight = [&](V fraction) HWY_ATTR {
         return hn::DemoteTo(
             di, hn::Min(hn::Mul(fraction, hn::Set(d, 256.0)), hn::Set(d, 255.0)));

@@ -44,6 +44,10 @@ HWY_INLINE Two as_real(VI v) {
     return {hn::PromoteTo(D(), hn::LowerHalf(I(), v)), hn::PromoteTo(D(), hn::UpperHalf(I(), v))};
 }
 
+HWY_INLINE Two product(const Two& a, const Two& b) {
+    return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+}
+
 HWY_INLINE V at(const Plane& p, V x, V y) {
     const D d;
     return hn::Add(hn::Set(d, p.first),

@@ -39,10 +39,11 @@ void place_reals(const Triangle& t, const RealCorners<Real>& c, const Shader<Col
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(r)) {
         const Weights<R> w = coordinate_weights(r, t, c, out.places.at.data() + i);
         for (std::size_t u = 0; u < s.units; ++u) {
+            if (c.choose_level[u]) continue;
             const Footprint<R> f = footprint(r, in[u], coordinates_at(r, c, u, w));
-            hn::StoreU(f.offset, ints, out.offset[u].data() + i);
-            hn::StoreU(f.a, r, out.a[u].data() + i);
-            hn::StoreU(f.b, r, out.b[u].data() + i);
+            hn::StoreU(f.offset, ints, out.fine[u].offset.data() + i);
+            hn::StoreU(f.a, r, out.fine[u].a.data() + i);
+            hn::StoreU(f.b, r, out.fine[u].b.data() + i);
         }
     }
 }
@@ -141,17 +142,37 @@ struct Scales {
     }
 };
 
+/// The texels at the footprints of the fragments from i on.
+template <class R, class Arithmetic>
+HWY_INLINE hn::Vec<R> filtered(R r, const Arithmetic& m, const Unit<Color<hn::TFromD<R>>>& unit,
+                               const RealFootprints<hn::TFromD<R>>& footprints, std::size_t i,
+                               std::size_t channel) {
+    const std::int32_t* const at = footprints.offset.data() + i;
+    if (!reads_four(unit)) return texels_at(r, unit.image.texels, at, channel);
+    return m.filter(r, quad_at(r, unit.image, at, channel),
+                    for_channels(r, footprints.a.data() + i),
+                    for_channels(r, footprints.b.data() + i));
+}
+
+/// What unit u looks up for the fragments from i on.
+template <class R, class Arithmetic, class Batch>
+HWY_INLINE hn::Vec<R> texels_of(R r, const Arithmetic& m, const Unit<Color<hn::TFromD<R>>>& unit,
+                                const Batch& batch, std::size_t u, std::size_t i,
+                                std::size_t channel) {
+    const auto fine = filtered(r, m, unit, batch.fine[u], i, channel);
+    if (!unit.rule.blends) return fine;
+    const auto share = for_channels(r, batch.coarse_share[u].data() + i);
+    if (hn::AllTrue(r, hn::Eq(share, hn::Zero(r)))) return fine;
+    return m.filter_levels(r, fine, filtered(r, m, unit, batch.coarse[u], i, channel), share);
+}
+
 /// What unit u makes of the colours of the fragments from i on.
 template <class R, class Arithmetic, class Batch>
 HWY_INLINE hn::Vec<R> combined(R r, const Arithmetic& m, const Unit<Color<hn::TFromD<R>>>& unit,
                                const Scales<hn::TFromD<R>>& scales, const Batch& batch,
                                std::size_t u, std::size_t i, std::size_t channel,
                                hn::Vec<R> previous) {
-    const std::int32_t* const at = batch.offset[u].data() + i;
-    const auto texel = unit.linear ? m.filter(r, quad_at(r, unit.image, at, channel),
-                                              for_channels(r, batch.a[u].data() + i),
-                                              for_channels(r, batch.b[u].data() + i))
-                                   : texels_at(r, unit.image.texels, at, channel);
+    const auto texel = texels_of(r, m, unit, batch, u, i, channel);
     if (unit.replace) return texel;
     const auto c = m.modulate(r, texel, previous);
     return scales.needed ? scales.scaled(r, c, channel) : c;
@@ -164,7 +185,7 @@ HWY_INLINE hn::Vec<R> clamped(R r, hn::Vec<R> c, hn::TFromD<R> most) {
 }
 
 /// Looks textures up and combines them with the colours.
-/// @param m  a model's filter(), modulate(), finish() and one() on vectors
+/// @param m  a model's filter(), filter_levels(), modulate(), finish() and one() on vectors
 template <class Real, class Arithmetic>
 void shade_fragments(const Shader<Color<Real>>& shader, const Arithmetic m,
                      RealBatch<Real>& batch) {
@@ -172,9 +193,7 @@ void shade_fragments(const Shader<Color<Real>>& shader, const Arithmetic m,
     const Shader<Color<Real>> s = shader;
     const std::array<Scales<Real>, lane_units> scales{Scales<Real>(s.unit[0], m.one()),
                                                       Scales<Real>(s.unit[1], m.one())};
-    // What lies behind the last fragment up to a full vector must be an address too.
-    for (std::size_t u = 0; u < s.units; ++u)
-        for (std::size_t i = batch.size; i < batch.size + widest; ++i) batch.offset[u][i] = 0;
+    end_with_addresses(s, batch);
     for (std::size_t i = 0; i < batch.size; i += fragments_at_once<Real>)
         for (std::size_t ch = 0; ch < 4; ch += channels_at_once<Real>) {
             Real* const color = batch.color[i].data() + ch;

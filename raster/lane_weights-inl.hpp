@@ -27,17 +27,27 @@ struct Weights {
     hn::Vec<R> e0, e1, e2;
 };
 
-/// At as many places as a vector of binary64 holds.
-HWY_INLINE Weights<D> areas_at(const Triangle& t, const std::int32_t* places) {
+/// Pixels of a triangle, counted from its (x0, y0): as many as a vector of binary64 holds.
+struct Pixels {
+    V x, y;
+};
+
+HWY_INLINE Pixels pixels_at(const Triangle& t, const std::int32_t* places) {
     const D d;
     const I di;
     const auto v = hn::LoadU(di, places);
     const auto column = hn::And(v, hn::Set(di, tile_edge - 1));
     const auto row = hn::ShiftRight<tile_edge_bits>(v);
-    const V x = hn::PromoteTo(d, hn::Sub(column, hn::Set(di, t.x0)));
-    const V y = hn::PromoteTo(d, hn::Sub(row, hn::Set(di, t.y0)));
-    const V e1 = at(t.e[1], x, y), e2 = at(t.e[2], x, y);
-    return {hn::Sub(hn::Sub(hn::Set(d, t.area), e1), e2), e1, e2};
+    return {hn::PromoteTo(d, hn::Sub(column, hn::Set(di, t.x0))),
+            hn::PromoteTo(d, hn::Sub(row, hn::Set(di, t.y0)))};
+}
+
+HWY_INLINE Weights<D> areas_at(const Triangle& t, const Pixels& p) {
+    const V e1 = at(t.e[1], p.x, p.y), e2 = at(t.e[2], p.x, p.y);
+    return {hn::Sub(hn::Sub(hn::Set(D(), t.area), e1), e2), e1, e2};
+}
+HWY_INLINE Weights<D> areas_at(const Triangle& t, const std::int32_t* places) {
+    return areas_at(t, pixels_at(t, places));
 }
 
 /// In a format whose vectors have as many lanes as those of binary64, or twice as many.
@@ -88,13 +98,18 @@ HWY_INLINE EndWeights end_weights(const Triangle& t, const std::int32_t* places)
     return {n0, cut_within(hn::Div(hn::Mul(steps, w.e2), sum), hn::Sub(steps, n0))};
 }
 
-/// coordinate_weights() of interpolate.hpp.
+/// coordinate_weights() of interpolate.hpp, from the doubled areas.
+template <class R, class Channel>
+HWY_INLINE Weights<R> coordinate_weights(R r, const Triangle& t,
+                                         const Corners<hn::TFromD<R>, Channel>& c,
+                                         const Weights<R>& areas) {
+    return c.over_w || t.equal_w ? areas : over_w(r, t, areas);
+}
 template <class R, class Channel>
 HWY_INLINE Weights<R> coordinate_weights(R r, const Triangle& t,
                                          const Corners<hn::TFromD<R>, Channel>& c,
                                          const std::int32_t* places) {
-    const Weights<R> w = weights_at(r, t, places);
-    return c.over_w || t.equal_w ? w : over_w(r, t, w);
+    return coordinate_weights(r, t, c, weights_at(r, t, places));
 }
 
 /// interpolate_coords() of interpolate.hpp.

@@ -1,24 +1,12 @@
 #pragma once
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
-#include "raster/pass.hpp"
+#include "raster/lane_batch.hpp"
+#include "raster/lane_shader.hpp"
 #include "raster/packed_bytes.hpp"
-#include "texunit/numeric_model.hpp"
 
 /// The inner loops of the fast pipeline, on vectors as wide as the processor has: plain values in,
 /// plain values out. They compute what coverage.hpp, interpolate.hpp, texunit/sample.hpp and the
 /// presets' models compute, in the same order, so that the bits are the same.
 namespace twofold::lanes {
-
-inline constexpr int tile_edge_bits = 7;
-inline constexpr int tile_edge = 1 << tile_edge_bits;  ///< pixels
-inline constexpr std::size_t tile_pixels = std::size_t{tile_edge} * tile_edge;
-inline constexpr std::size_t widest = 16;          ///< lanes that a load or store may run past an end
-inline constexpr std::size_t lane_units = 2;         ///< texture units that vectors know
-inline constexpr std::size_t cover_capacity = 192;   ///< pixels of a triangle covered at once
-inline constexpr std::size_t batch_capacity = 256;  ///< fragments shaded at once
 
 /// A number that is linear in the window: first + x dx + y dy, x and y in pixels from a triangle's
 /// (x0, y0).
@@ -61,88 +49,6 @@ struct LateTests {
     DepthRule depth;                   ///< if it is computed
 };
 
-inline constexpr std::size_t batch_room = batch_capacity + cover_capacity + 2 * tile_edge + 2 * widest;
-template <class T>
-using BatchColumn = std::array<T, batch_room>;
-
-/// Where a batch's fragments lie: triangle after triangle, rows from the top, left to right.
-struct BatchPlaces {
-    alignas(64) BatchColumn<std::int32_t> at;  ///< number of the pixel in the tile
-    alignas(64) BatchColumn<double> z;         ///< as the depth buffer holds it, unless it was decided early
-};
-
-/// Fragments of one pass, perhaps of several triangles, of an 8-bit preset: colours have red in the
-/// lowest byte; a unit's footprint is the offset of its lesser texel and the weights of the next
-/// ones in 1/256, the second from bit 16 on.
-struct ByteBatch {
-    std::size_t size = 0;
-    BatchPlaces places;
-    alignas(64) std::array<BatchColumn<std::int32_t>, lane_units> offset;
-    alignas(64) std::array<BatchColumn<std::uint32_t>, lane_units> weights;
-    alignas(64) BatchColumn<std::uint32_t> color;
-};
-
-/// The same of a preset that computes in real numbers.
-template <class Real>
-struct RealBatch {
-    std::size_t size = 0;
-    BatchPlaces places;
-    alignas(64) std::array<BatchColumn<std::int32_t>, lane_units> offset;
-    alignas(64) std::array<BatchColumn<Real>, lane_units> a, b;
-    alignas(64) BatchColumn<Color<Real>> color;
-    alignas(64) BatchColumn<std::uint32_t> rounded;  ///< by round_to_bytes()
-};
-
-/// A texture with one texel of surroundings on its left and lower sides and two on the others, as
-/// the wrap modes see them: every texel of a footprint is there without a question.
-template <class Texel>
-struct Image {
-    const Texel* texels;
-    int width, height;  ///< without surroundings
-    int stride;         ///< texels from a row to the next
-};
-
-template <class Texel>
-struct Unit {
-    Image<Texel> image;
-    Wrap wrap_s, wrap_t;
-    bool linear;
-    bool divide_by_q;
-    bool in_texels;
-    bool replace;  ///< else MODULATE
-    int rgb_scale, alpha_scale;
-    /// What of s, t, r, q makes places in 1/256 texel, with LINEAR from the centre of texel (0, 0):
-    /// the coordinate times `scale`, less q times `shift`.
-    std::array<double, 4> scale, shift;
-};
-
-template <class Texel>
-struct Shader {
-    std::size_t units;
-    std::array<Unit<Texel>, lane_units> unit;
-};
-
-/// How a preset of integers rounds. Its numbers have at most 24 bits and the filter's weights 16,
-/// so that binary64 holds sums and products exactly until they are rounded.
-struct Rounding {
-    bool cuts_colors;     ///< colours are iterated as Coarse8's, else as Nv17's
-    double weight_steps;  ///< the filter's weights are cut to 1 / weight_steps
-    bool filters_once;    ///< the four weights at once, else along s, then along t
-    double filter_half;   ///< added before the filter cuts
-    struct Quotient {
-        double add, factor;
-        double identity;  ///< the b that leaves a alone; not 1.0 everywhere
-    } product;            ///< a b becomes floor((a b + add) factor)
-    double one;           ///< 1.0 in the texture units
-    /// A colour c becomes c finish_factor, then floor(that + finish_half) if it rounds.
-    double finish_factor, finish_half;
-    bool finish_rounds;
-};
-
-struct RoundedShader : Shader<Color<double>> {
-    Rounding rounding;
-};
-
 /// What a triangle's corners carry into interpolation, where the mesh keeps it.
 template <class Real, class Channel>
 struct Corners {
@@ -151,6 +57,7 @@ struct Corners {
     std::array<const Color<Channel>*, 3> colors;
     bool over_w;     ///< coordinates are over w already
     bool one_color;  ///< all three the same
+    std::array<bool, lane_units> choose_level;  ///< whether a unit's fragments do
 };
 using ByteCorners = Corners<double, int>;
 template <class Real>
@@ -173,8 +80,20 @@ Covered cover(const Triangle& t, const DepthRule& rule, std::uint32_t* depth, in
 Covered cover(const Triangle& t, const DepthRule& rule, double* depth, int row, std::size_t size,
               BatchPlaces& out);
 
+/// Chooses levels for the `count` fragments that have their places behind a batch's last and puts
+/// down their footprints, for each unit that has levels. Where the corners say that there is no
+/// choice the footprints are left to interpolate().
+void choose_levels(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
+                   std::size_t count, ByteBatch& out);
+void choose_levels(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,
+                   std::size_t count, RealBatch<double>& out);
+void choose_levels(const Triangle& t, const RealCorners<float>& c, const Shader<Color<float>>& s,
+                   std::size_t count, RealBatch<float>& out);
+void choose_levels(const Triangle& t, const ByteCorners& c, const RoundedShader& s,
+                   std::size_t count, RealBatch<double>& out);
+
 /// Adds to a batch the `count` fragments that have their places behind its last: their footprints
-/// in each unit's texture, and colours.
+/// in the texture of each unit that does not choose levels, and colours.
 void interpolate(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
                  std::size_t count, ByteBatch& out);
 void interpolate(const Triangle& t, const RealCorners<double>& c, const Shader<Color<double>>& s,

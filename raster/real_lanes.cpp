@@ -34,10 +34,12 @@ struct RealArithmetic {
 
     template <class R>
     static HWY_INLINE hn::Vec<R> filter(R r, const Quad<R>& t, hn::Vec<R> a, hn::Vec<R> b) {
-        const auto na = hn::Sub(hn::Set(r, one()), a), nb = hn::Sub(hn::Set(r, one()), b);
-        const auto row0 = hn::Add(hn::Mul(na, t.t00), hn::Mul(a, t.t10));
-        const auto row1 = hn::Add(hn::Mul(na, t.t01), hn::Mul(a, t.t11));
-        return hn::Add(hn::Mul(nb, row0), hn::Mul(b, row1));
+        return filter_levels(r, filter_levels(r, t.t00, t.t10, a),
+                             filter_levels(r, t.t01, t.t11, a), b);
+    }
+    template <class R>
+    static HWY_INLINE hn::Vec<R> filter_levels(R r, hn::Vec<R> p, hn::Vec<R> q, hn::Vec<R> w) {
+        return hn::Add(hn::Mul(hn::Sub(hn::Set(r, one()), w), p), hn::Mul(w, q));
     }
     template <class R>
     static HWY_INLINE hn::Vec<R> modulate(R, hn::Vec<R> a, hn::Vec<R> b) {

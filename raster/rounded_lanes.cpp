@@ -58,7 +58,7 @@ void interpolate_rounded(const Triangle& t, const ByteCorners& c, const RoundedS
     for (std::size_t k = 0; k < 3; ++k)
         std::copy(c.colors[k]->begin(), c.colors[k]->end(), colors[k].begin());
     const RealCorners<double> corners{
-        c.coords, {&colors[0], &colors[1], &colors[2]}, c.over_w, c.one_color};
+        c.coords, {&colors[0], &colors[1], &colors[2]}, c.over_w, c.one_color, c.choose_level};
     place_reals(t, corners, s, count, out);
     const std::int32_t* const at = out.places.at.data() + out.size;
     Color<double>* const color = out.color.data() + out.size;
@@ -93,13 +93,15 @@ struct RoundedArithmetic {
     /// p (1 - w) + q w.
     static HWY_INLINE V mix(V p, V q, V w) { return hn::Add(p, hn::Mul(hn::Sub(q, p), w)); }
 
-    HWY_INLINE V filter(D d, const Quad<D>& t, V a, V b) const {
-        const auto cut = [&](V x) HWY_ATTR {
-            return hn::Floor(hn::Add(x, hn::Set(d, rule.filter_half)));
-        };
+    HWY_INLINE V cut(V x) const { return hn::Floor(hn::Add(x, hn::Set(D(), rule.filter_half))); }
+
+    HWY_INLINE V filter(D, const Quad<D>& t, V a, V b) const {
         const V row0 = mix(t.t00, t.t10, a), row1 = mix(t.t01, t.t11, a);
         if constexpr (filters_once) return cut(mix(row0, row1, b));
         return cut(mix(cut(row0), cut(row1), b));
+    }
+    HWY_INLINE V filter_levels(D, V fine, V coarse, V share) const {
+        return cut(mix(fine, coarse, share));
     }
     HWY_INLINE V modulate(D d, V a, V b) const {
         const V sum = hn::Add(hn::Mul(a, b), hn::Set(d, rule.product.add));
@@ -114,9 +116,17 @@ struct RoundedArithmetic {
 };
 
 void shade_rounded(const RoundedShader& s, RealBatch<double>& batch) {
-    for (std::size_t u = 0; u < s.units; ++u)
-        for (auto* const fractions : {&batch.a[u], &batch.b[u]})
-            cut_weights(s.rounding.weight_steps, batch.size, fractions->data());
+    const auto cut = [&](BatchColumn<double>& fractions) {
+        cut_weights(s.rounding.weight_steps, batch.size, fractions.data());
+    };
+    for (std::size_t u = 0; u < s.units; ++u) {
+        cut(batch.fine[u].a);
+        cut(batch.fine[u].b);
+        if (!s.unit[u].rule.blends) continue;
+        cut(batch.coarse[u].a);
+        cut(batch.coarse[u].b);
+        cut(batch.coarse_share[u]);
+    }
     if (s.rounding.filters_once)
         shade_fragments(s, RoundedArithmetic<true>{s.rounding}, batch);
     else

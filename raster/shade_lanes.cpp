@@ -68,21 +68,46 @@ HWY_INLINE Pairs pairs_at(const std::uint32_t* base, hn::Vec<S64> low, hn::Vec<S
     return {unpacked(hn::ConcatEven(d, h, l)), unpacked(hn::ConcatOdd(d, h, l))};
 }
 
+/// A weight of 16 bits for both halves of a word.
+HWY_INLINE Bytes for_both(hn::Vec<U32> weight) {
+    return hn::BitCast(U16(), hn::Or(weight, hn::ShiftLeft<16>(weight)));
+}
+
+HWY_INLINE Texels8 flerp16(const Texels8& p, const Texels8& q, Bytes w) {
+    return {flerp16(p.rb, q.rb, w), flerp16(p.ga, q.ga, w)};
+}
+
 /// Nv17::filter on all four channels.
 HWY_INLINE Texels8 filtered(const Image<std::uint32_t>& image, hn::Vec<S32> at,
                             hn::Vec<U32> weights) {
-    const auto low = hn::And(weights, hn::Set(U32(), 0xffffu));
-    const auto high = hn::ShiftRight<16>(weights);
-    const Bytes a = hn::BitCast(U16(), hn::Or(low, hn::ShiftLeft<16>(low)));
-    const Bytes b = hn::BitCast(U16(), hn::Or(high, hn::ShiftLeft<16>(high)));
+    const Bytes a = for_both(hn::And(weights, hn::Set(U32(), 0xffffu)));
+    const Bytes b = for_both(hn::ShiftRight<16>(weights));
     const hn::Half<S32> half;
     const auto bytes = hn::ShiftLeft<2>(at);
     const auto at_low = hn::PromoteTo(S64(), hn::LowerHalf(half, bytes));
     const auto at_high = hn::PromoteTo(S64(), hn::UpperHalf(half, bytes));
     const Pairs top = pairs_at(image.texels, at_low, at_high);
     const Pairs next = pairs_at(image.texels + image.stride, at_low, at_high);
-    return {flerp16(flerp16(top.left.rb, top.right.rb, a), flerp16(next.left.rb, next.right.rb, a), b),
-            flerp16(flerp16(top.left.ga, top.right.ga, a), flerp16(next.left.ga, next.right.ga, a), b)};
+    return flerp16(flerp16(top.left, top.right, a), flerp16(next.left, next.right, a), b);
+}
+
+/// The texels at the footprints of the fragments from i on.
+HWY_INLINE Texels8 filtered(const Unit<std::uint32_t>& unit, const ByteFootprints& footprints,
+                            std::size_t i) {
+    const auto at = hn::LoadU(S32(), footprints.offset.data() + i);
+    if (!reads_four(unit)) return gathered(unit.image.texels, at);
+    return filtered(unit.image, at, hn::LoadU(U32(), footprints.weights.data() + i));
+}
+
+/// What unit u looks up for the fragments from i on.
+HWY_INLINE Texels8 texels_of(const Unit<std::uint32_t>& unit, const ByteBatch& batch, std::size_t u,
+                             std::size_t i) {
+    const U32 d;
+    const Texels8 fine = filtered(unit, batch.fine[u], i);
+    if (!unit.rule.blends) return fine;
+    const auto share = hn::LoadU(d, batch.coarse_share[u].data() + i);
+    if (hn::AllTrue(d, hn::Eq(share, hn::Zero(d)))) return fine;
+    return flerp16(fine, filtered(unit, batch.coarse[u], i), for_both(share));
 }
 
 /// MODULATE with its scales, or REPLACE.
@@ -104,21 +129,11 @@ HWY_INLINE Texels8 combined(const Unit<std::uint32_t>& unit, const Texels8& texe
 
 void shade_bytes(const Shader<std::uint32_t>& s, ByteBatch& batch) {
     const U32 d;
-    const S32 ds;
-    // What lies behind the last fragment up to a full vector must be an address too.
-    for (std::size_t u = 0; u < s.units; ++u)
-        for (std::size_t i = batch.size; i < batch.size + widest; ++i) batch.offset[u][i] = 0;
+    end_with_addresses(s, batch);
     for (std::size_t i = 0; i < batch.size; i += hn::Lanes(d)) {
         Texels8 color = unpacked(hn::LoadU(d, batch.color.data() + i));
-        for (std::size_t u = 0; u < s.units; ++u) {
-            const Unit<std::uint32_t>& unit = s.unit[u];
-            const auto at = hn::LoadU(ds, batch.offset[u].data() + i);
-            const auto weights = hn::LoadU(d, batch.weights[u].data() + i);
-            color = combined(unit,
-                             unit.linear ? filtered(unit.image, at, weights)
-                                         : gathered(unit.image.texels, at),
-                             color);
-        }
+        for (std::size_t u = 0; u < s.units; ++u)
+            color = combined(s.unit[u], texels_of(s.unit[u], batch, u, i), color);
         hn::StoreU(repacked(color), d, batch.color.data() + i);
     }
 }

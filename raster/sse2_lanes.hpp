@@ -255,8 +255,9 @@ HWY_INLINE Vector<std::uint8_t, N> DemoteTo(Tag<std::uint8_t, N>, Vector<std::in
     const __m128i words = _mm_packs_epi32(ints(v), ints(v));
     return from_ints<Vector<std::uint8_t, N>>(_mm_packus_epi16(words, words));
 }
-HWY_INLINE Vector<std::int32_t, 4> ConvertTo(Tag<std::int32_t, 4>, Vector<float, 4> v) {
-    return from_ints<Vector<std::int32_t, 4>>(_mm_cvttps_epi32(v.raw));
+template <std::size_t N>
+HWY_INLINE Vector<std::int32_t, N> ConvertTo(Tag<std::int32_t, N>, Vector<float, N> v) {
+    return from_ints<Vector<std::int32_t, N>>(_mm_cvttps_epi32(v.raw));
 }
 
 // NOLINTEND(readability-identifier-naming)

@@ -41,12 +41,16 @@ inline double level_of_detail(double squared_rho, double bias) {
     return 0.5 * log2_of(squared_rho) + bias;
 }
 
+/// Whether there are levels to choose from. Rectangles have one.
+constexpr bool chooses_level(const TextureUnitState& unit, bool has_mipmaps) {
+    return unit.mip_filter != MipFilter::off && has_mipmaps &&
+           unit.target != TextureTarget::rectangle;
+}
+
 /// Whether a unit needs to know how the texture is scaled on the screen: if its two filters differ,
-/// or if there are levels to choose from. Rectangles have one level.
+/// or if there are levels to choose from.
 constexpr bool needs_derivatives(const TextureUnitState& unit, bool has_mipmaps) {
-    const bool chooses_level =
-        unit.mip_filter != MipFilter::off && has_mipmaps && unit.target != TextureTarget::rectangle;
-    return unit.min_filter != unit.mag_filter || chooses_level;
+    return unit.min_filter != unit.mag_filter || chooses_level(unit, has_mipmaps);
 }
 
 /// The one or two levels a fragment reads, each by `filter`; `fraction` is the share of the coarser
@@ -67,15 +71,20 @@ inline int nearest_level(double lambda, int last_level) {
     return -static_cast<int>(std::floor(0.5 - lambda));
 }
 
-/// @param last_level  index of the coarsest level; 0 means that there are no mipmaps, and the base
-///                    image is used whatever the mipmap filter says
-/// @source OpenGL 1.3, 3.8.8 and 3.8.9: magnification for lambda <= c
-inline LevelSelection select_levels(const TextureUnitState& unit, double lambda, int last_level) {
-    const bool mipmapped = unit.mip_filter != MipFilter::off && last_level > 0;
+/// The level of detail up to which the base is magnified.
+/// @source OpenGL 1.3, 3.8.9
+constexpr double magnified_to(const TextureUnitState& unit, bool mipmapped) {
     const bool late =
         mipmapped && unit.mag_filter == Filter::linear && unit.min_filter == Filter::nearest;
-    const double c = late ? 0.5 : 0.0;
-    if (lambda <= c) return {unit.mag_filter, 0, 0, 0.0};
+    return late ? 0.5 : 0.0;
+}
+
+/// @param last_level  index of the coarsest level; 0 means that there are no mipmaps, and the base
+///                    image is used whatever the mipmap filter says
+/// @source OpenGL 1.3, 3.8.8
+inline LevelSelection select_levels(const TextureUnitState& unit, double lambda, int last_level) {
+    const bool mipmapped = unit.mip_filter != MipFilter::off && last_level > 0;
+    if (lambda <= magnified_to(unit, mipmapped)) return {unit.mag_filter, 0, 0, 0.0};
     if (!mipmapped) return {unit.min_filter, 0, 0, 0.0};
     if (unit.mip_filter == MipFilter::nearest) {
         const int level = nearest_level(lambda, last_level);

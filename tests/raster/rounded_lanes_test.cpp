@@ -49,7 +49,7 @@ std::vector<double> products(const Custom& m, int texel, const std::vector<int>&
     const auto batch = std::make_unique<Batch>();
     batch->size = colors.size();
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        batch->offset[0][i] = 0;
+        batch->fine[0].offset[i] = 0;
         batch->color[i] = gray(colors[i]);
     }
     lanes::shade(shader_of(rounding_of(m), texels, 1, false), *batch);
@@ -141,12 +141,12 @@ int wrong_filters(Dice& dice, const M& m) {
     for (std::size_t i = 0; i < 4 * size; ++i)
         texels.push_back(gray(dice.chance(0.2) ? dice.one_of({0, one}) : dice.integer(0, one)));
     for (std::size_t i = 0; i < size; ++i) {
-        batch->offset[0][i] = static_cast<int>(2 * i);
-        batch->a[0][i] = dice.chance(0.1) ? dice.one_of({0.0, 1.0, 0.5}) : dice.unit();
-        batch->b[0][i] = dice.chance(0.1) ? dice.one_of({0.0, 1.0, 0.5}) : dice.unit();
+        batch->fine[0].offset[i] = static_cast<int>(2 * i);
+        batch->fine[0].a[i] = dice.chance(0.1) ? dice.one_of({0.0, 1.0, 0.5}) : dice.unit();
+        batch->fine[0].b[i] = dice.chance(0.1) ? dice.one_of({0.0, 1.0, 0.5}) : dice.unit();
         batch->color[i] = gray(one);
     }
-    const auto a = batch->a[0], b = batch->b[0];
+    const auto a = batch->fine[0].a, b = batch->fine[0].b;
     lanes::shade(shader_of(rounding_of(m), texels, 2 * size, true), *batch);
     int wrong = 0;
     for (std::size_t i = 0; i < size; ++i) {

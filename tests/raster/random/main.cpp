@@ -1,7 +1,6 @@
 // The proof that the fast pipeline gives the reference's bytes, on random states:
-//   fast_equals_reference [--seed S] [--first N] [--count M] [--all-options] [--simd WIDTH]
-//   [--trace]
-//                         [-o DIR]
+//   fast_equals_reference [--seed S] [--first N] [--count M] [--all-options] [--levels]
+//                         [--simd WIDTH] [--trace] [-o DIR]
 // Exit code 0 only if every byte and every bit of every value is the same.
 #include <fmt/format.h>
 
@@ -22,6 +21,7 @@ struct Settings {
     std::uint64_t first = 0;
     std::uint64_t count = 1000;
     bool all_options = false;
+    bool levels = false;
     bool trace = false;
     std::uint64_t most_failures = 10;
     std::string folder = "fast_failures";
@@ -57,7 +57,8 @@ Framebuffer counted(const RandomState& state, Totals& totals) {
 
 void check_state(const Settings& settings, std::uint64_t number, Totals& totals) {
     if (settings.trace) fmt::print(stderr, "state {}\n", number);
-    RandomState state = random_state(settings.seed, number);
+    RandomState state = settings.levels ? random_state_with_levels(settings.seed, number)
+                                        : random_state(settings.seed, number);
     ++totals.states[name_of(state.preset)];
     totals.passes += state.frame.passes.size();
     const FastShare share = fast_share(state);
@@ -83,6 +84,7 @@ Settings parsed(int argc, char** argv, CLI::App& app) {
     app.add_option("--count", s.count, "how many states");
     app.add_option("--most-failures", s.most_failures, "stop after so many");
     app.add_flag("--all-options", s.all_options, "threads 1, 2, 7 x fused or not for every state");
+    app.add_flag("--levels", s.levels, "textures have mipmaps, and units choose among them");
     app.add_flag("--trace", s.trace, "print each state's number before it is drawn");
     app.add_option("--simd", s.simd, "vectors at most so wide: baseline, sse4, avx2, avx3");
     app.add_option("-o", s.folder, "where failing states are written as scenes");

@@ -1,6 +1,7 @@
 #include "tests/raster/random/random_state.hpp"
 
 #include "raster/color_format.hpp"
+#include "scenes/box_mipmaps.hpp"
 #include "tests/raster/builders.hpp"
 #include "tests/raster/random/random_parts.hpp"
 #include "texunit/byte_arithmetic.hpp"
@@ -205,7 +206,45 @@ void add_paper_passes(Dice& dice, Frame& frame) {
         disturb(dice, frame.passes[dice.index(frame.passes.size())].state, view);
 }
 
+/// Those of bytes or floats whose sides inside the border are powers of two.
+void give_mipmaps(Texture& texture) {
+    const auto halves = [&](int side) {
+        const int inside = side - 2 * texture.border;
+        return (inside & (inside - 1)) == 0;
+    };
+    if (!halves(texture.width) || !halves(texture.height) || !texture.cube_faces.empty() ||
+        std::holds_alternative<PackedTexels>(texture.texels))
+        return;
+    texture.mipmaps = box_mipmaps(texture.width, texture.height, texture.texels, texture.border);
+}
+
+void choose_levels(Dice& dice, TextureUnitState& unit) {
+    unit.mip_filter = dice.one_of({MipFilter::nearest, MipFilter::linear, MipFilter::linear});
+    if (dice.chance(0.3)) unit.min_filter = dice.up_to(Filter::linear);
+    if (dice.chance(0.3)) unit.mag_filter = dice.up_to(Filter::linear);
+    unit.lod_bias = dice.one_of({-33.0, -1.0, 0.0, 0.0, 0.5, 1.0, 1.75, 2.25, 3.5, 4.0});
+}
+
 }  // namespace
+
+RandomState random_state_with_levels(std::uint64_t seed, std::uint64_t number) {
+    RandomState state = random_state(seed, number);
+    Dice dice(~seed, number);
+    for (Texture& texture : state.frame.textures) give_mipmaps(texture);
+    // One choice for all passes: only so do they share what is known of their alphas.
+    for (std::size_t u = 0; u < max_units; ++u) {
+        TextureUnitState choice;
+        choose_levels(dice, choice);
+        for (Pass& pass : state.frame.passes)
+            if (auto& unit = pass.state.units[u]; unit && unit->target == choice.target) {
+                unit->mip_filter = choice.mip_filter;
+                unit->min_filter = choice.min_filter;
+                unit->mag_filter = choice.mag_filter;
+                unit->lod_bias = choice.lod_bias;
+            }
+    }
+    return state;
+}
 
 RandomState random_state(std::uint64_t seed, std::uint64_t number) {
     Dice dice(seed, number);

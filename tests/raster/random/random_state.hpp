@@ -19,4 +19,7 @@ struct RandomState {
 /// the others are made of anything.
 RandomState random_state(std::uint64_t seed, std::uint64_t number);
 
+/// The same, with mipmaps in all textures that can have them and units that choose among levels.
+RandomState random_state_with_levels(std::uint64_t seed, std::uint64_t number);
+
 }  // namespace twofold::test
