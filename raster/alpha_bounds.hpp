@@ -12,8 +12,8 @@
 #include "raster/window_mesh.hpp"
 
 /// What the alpha test will say of a whole triangle, found before it is drawn: the four passes of
-/// the paper differ in nothing but the hemispheres whose texels have alpha 1, and most triangles lie
-/// in one of them.
+/// the paper differ in nothing but the hemispheres whose texels have alpha 1, and most triangles
+/// lie in one of them.
 namespace twofold {
 
 /// A triangle's own alpha, if all its corners have the same.
@@ -54,7 +54,7 @@ template <NumericModel M>
 struct GroupAlpha {
     static constexpr std::size_t none = ~std::size_t{0};
     std::vector<AlphaLookup> lookups;
-    std::vector<std::vector<std::size_t>> of_pass;  ///< [pass][unit in its list]: lookup or none
+    std::vector<std::vector<std::size_t>> of_pass;    ///< [pass][unit in its list]: lookup or none
     std::vector<TexelColumns> places;                 ///< [lookup]
     std::vector<std::vector<AlphaOutcome>> outcomes;  ///< [pass][triangle]; empty: open
 };

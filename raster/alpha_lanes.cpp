@@ -4,7 +4,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/alpha_lanes.cpp"
 #include <hwy/foreach_target.h>
-
 #include <hwy/highway.h>
 
 #include "raster/lane_math-inl.hpp"
@@ -33,12 +32,12 @@ struct Cells {
         end = hn::Add(cell(hn::Add(high, margin), size, cell_bits), hn::Set(DI(), 1));
     }
 
-    /// Half a texel less, rounded to an integer by 2^23; a whole place may give the cell below, which
-    /// the margin allows for.
+    /// Half a texel less, rounded to an integer by 2^23; a whole place may give the cell below,
+    /// which the margin allows for.
     static HWY_INLINE VI cell(VF place, int size, int cell_bits) {
         const F f;
-        const VF inside = hn::Min(hn::Max(place, hn::Set(f, 0.5f)),
-                                  hn::Set(f, static_cast<float>(size) - 0.5f));
+        const VF inside =
+            hn::Min(hn::Max(place, hn::Set(f, 0.5f)), hn::Set(f, static_cast<float>(size) - 0.5f));
         const VF rounded = hn::Add(hn::Sub(inside, hn::Set(f, 0.5f)), hn::Set(f, 0x1p23f));
         const VI texel = hn::And(hn::BitCast(DI(), rounded), hn::Set(DI(), 0x7fffff));
         return hn::ShiftRightSame(texel, cell_bits);
@@ -77,7 +76,8 @@ void find(const AlphaGrid& grid, const TexelPlaces& places, const TriangleList& 
         const VI cells = hn::Mul(hn::Sub(x.end, x.first), hn::Sub(y.end, y.first));
         const auto zero = hn::Eq(hn::And(sum, hn::Set(d, 0xffff)), cells);
         const auto one = hn::Eq(hn::ShiftRight<16>(sum), cells);
-        const VI result = hn::IfThenElse(zero, hn::Set(d, 1), hn::IfThenElseZero(one, hn::Set(d, 2)));
+        const VI result =
+            hn::IfThenElse(zero, hn::Set(d, 1), hn::IfThenElseZero(one, hn::Set(d, 2)));
         hn::StoreU(hn::DemoteTo(bytes, result), bytes, known + i);
     }
 }

@@ -78,8 +78,7 @@ template <NumericModel M>
 BoundPass<M> bind(const M& m, const PassState& state, ColorFormat format,
                   const std::vector<UploadedTexture<M>>& textures,
                   const UploadedTexture<M>& white) {
-    BoundPass<M> bound{m,  state, {}, std::nullopt,
-                       {}, {},    {}, writes_plainly(m, state, format)};
+    BoundPass<M> bound{m, state, {}, std::nullopt, {}, {}, {}, writes_plainly(m, state, format)};
     for (std::size_t u = 0; u < max_units; ++u)
         if (const auto& unit = state.units[u])
             bound.units.push_back(

@@ -30,7 +30,7 @@ struct Bins {
 /// What a pass has to draw.
 struct BinPass {
     const std::vector<MeshTriangle>* triangles;
-    PixelRectangle pixels;                      ///< that the pass may change
+    PixelRectangle pixels;  ///< that the pass may change
     bool tests_alpha;
     const std::vector<AlphaOutcome>* outcomes;  ///< of the triangles; empty if nothing is known
 };

@@ -1,10 +1,8 @@
-#include "raster/lanes.hpp"
-
 #include "raster/lane_targets.hpp"
+#include "raster/lanes.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/cover_lanes.cpp"
 #include <hwy/foreach_target.h>
-
 #include <hwy/highway.h>
 
 #include "raster/lane_math-inl.hpp"
@@ -34,8 +32,8 @@ HWY_NOINLINE VI quantised_depth(const Triangle& t, const DepthRule& rule, RowPix
     const auto quantised = [&](double x) HWY_ATTR {
         const V z = exact_depth(t, x, p.y);
         const V inside = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0));
-        return hn::DemoteTo(I(), hn::Add(hn::Mul(inside, hn::Set(d, rule.steps)),
-                                         hn::Set(d, rule.half)));
+        return hn::DemoteTo(
+            I(), hn::Add(hn::Mul(inside, hn::Set(d, rule.steps)), hn::Set(d, rule.half)));
     };
     const DI di;
     const double half = static_cast<double>(hn::Lanes(d));
@@ -166,9 +164,10 @@ HWY_INLINE Covered cover_rows(const Triangle& t, const DepthRule& rule, Depth* d
     const Edges<Pixels> step_down = edges_of(d, t, [](const CoverEdge& e) { return e.dy; });
     const Edges<Pixels> lane = edges_of(d, t, [](const CoverEdge& e) { return e.dx; });
     const int from = row - t.y0;
-    Edges<Pixels> start = edges_of(d, t, [from](const CoverEdge& e) { return e.first + e.dy * from; });
-    start = start + Edges<Pixels>{hn::Mul(iota, lane.e0), hn::Mul(iota, lane.e1),
-                                  hn::Mul(iota, lane.e2)};
+    Edges<Pixels> start =
+        edges_of(d, t, [from](const CoverEdge& e) { return e.first + e.dy * from; });
+    start = start +
+            Edges<Pixels>{hn::Mul(iota, lane.e0), hn::Mul(iota, lane.e1), hn::Mul(iota, lane.e2)};
     // The last vector of a row may reach beyond the pixels to visit.
     const int width = t.x1 - t.x0, whole = (width - 1) / lanes * lanes;
     const auto last = hn::FirstN(d, static_cast<std::size_t>(width - whole));
@@ -181,9 +180,9 @@ HWY_INLINE Covered cover_rows(const Triangle& t, const DepthRule& rule, Depth* d
             if (x == whole) m = hn::And(m, last);
             if (hn::AllFalse(d, m)) continue;
             const int place = row * tile_edge + t.x0 + x;
-            n += depth_rule.keep({x, row - t.y0}, m, depth + place,
-                                 hn::Add(hn::Set(d, place), iota), out.at.data() + size + n,
-                                 out.z.data() + size + n);
+            n +=
+                depth_rule.keep({x, row - t.y0}, m, depth + place, hn::Add(hn::Set(d, place), iota),
+                                out.at.data() + size + n, out.z.data() + size + n);
         }
     }
     // What lies behind the last fragment up to a full vector must be a place in the triangle too.

@@ -35,7 +35,8 @@ inline PixelRectangle drawable_pixels(const PassState& state, int width, int hei
 }
 
 /// The part of a rectangle that a triangle's bounding box meets.
-inline PixelRectangle covered_rectangle(const TriangleSetup& t, int fraction_bits, const PixelRectangle& in) {
+inline PixelRectangle covered_rectangle(const TriangleSetup& t, int fraction_bits,
+                                        const PixelRectangle& in) {
     return {std::max(in.x0, first_pixel(t.low.x, fraction_bits)),
             std::max(in.y0, first_pixel(t.low.y, fraction_bits)),
             std::min(in.x1, last_pixel(t.high.x, fraction_bits) + 1),

@@ -65,7 +65,8 @@ TilePass<M> tile_pass(FastState<M>& state, std::size_t pass, std::size_t group, 
                       const std::array<std::size_t, max_units>& set_of) {
     const Frame& frame = state.frame;
     const PassState normal = normalized(frame, frame.passes[pass]);
-    BoundPass<M> bound = twofold::bind(state.m, normal, frame.color_format, state.textures, state.white);
+    BoundPass<M> bound =
+        twofold::bind(state.m, normal, frame.color_format, state.textures, state.white);
     const bool known = lanes_know<M>(bound);
     auto shader = known ? make_shader(state, bound) : LaneShader<M>{};
     unsigned bounded_sets = 0, far_q_sets = 0;
@@ -145,19 +146,19 @@ void start_tile(FastState<M>& state, const PixelRectangle& area, TileMemory<M>& 
     if (!frame.initial_color) return clear_tile(state, area);
     for (auto y = area.y0; y < area.y1; ++y)
         for (auto x = area.x0; x < area.x1; ++x)
-            tile.store_color(tile.index(static_cast<int>(x), static_cast<int>(y)),
-                             initial_color(state.m, frame, static_cast<std::size_t>(y * frame.width + x)));
+            tile.store_color(
+                tile.index(static_cast<int>(x), static_cast<int>(y)),
+                initial_color(state.m, frame, static_cast<std::size_t>(y * frame.width + x)));
 }
 
 template <NumericModel M>
 void draw_entry(const TilePass<M>& pass, const BinEntry& entry, const PixelRectangle& area,
                 TileMemory<M>& tile) {
     const MeshTriangle& triangle = pass.mesh->triangles[entry.triangle];
-    const PixelRectangle pixels{
-        std::max({area.x0, pass.pixels.x0, std::int64_t{triangle.x0}}),
-        std::max({area.y0, pass.pixels.y0, std::int64_t{triangle.y0}}),
-        std::min({area.x1, pass.pixels.x1, std::int64_t{triangle.x1}}),
-        std::min({area.y1, pass.pixels.y1, std::int64_t{triangle.y1}})};
+    const PixelRectangle pixels{std::max({area.x0, pass.pixels.x0, std::int64_t{triangle.x0}}),
+                                std::max({area.y0, pass.pixels.y0, std::int64_t{triangle.y0}}),
+                                std::min({area.x1, pass.pixels.x1, std::int64_t{triangle.x1}}),
+                                std::min({area.y1, pass.pixels.y1, std::int64_t{triangle.y1}})};
     const TileTriangle<M> t{pass, triangle, setup_of(*pass.mesh, triangle), pixels,
                             entry.certain != 0};
     draw_triangle(t, tile);

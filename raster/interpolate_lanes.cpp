@@ -150,9 +150,9 @@ void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* 
                                        hn::Mul(n2, hn::Set(di, (*c.colors[2])[k])));
             return hn::ShiftRight<8>(hn::Add(value, hn::Set(di, 128)));
         };
-        const auto color = hn::Or(hn::Or(channel(0), hn::ShiftLeft<8>(channel(1))),
-                                  hn::Or(hn::ShiftLeft<16>(channel(2)),
-                                         hn::ShiftLeft<24>(channel(3))));
+        const auto color =
+            hn::Or(hn::Or(channel(0), hn::ShiftLeft<8>(channel(1))),
+                   hn::Or(hn::ShiftLeft<16>(channel(2)), hn::ShiftLeft<24>(channel(3))));
         hn::StoreU(color, di, reinterpret_cast<std::int32_t*>(out + i));
     }
 }
@@ -160,7 +160,8 @@ void iterate_bytes(const Triangle& t, const ByteCorners& c, const std::int32_t* 
 /// Whole vectors: a batch has room.
 HWY_INLINE void fill_vectors(std::uint32_t* words, std::size_t size, std::uint32_t value) {
     const hn::RebindToUnsigned<DI> d;
-    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) hn::StoreU(hn::Set(d, value), d, words + i);
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d))
+        hn::StoreU(hn::Set(d, value), d, words + i);
 }
 
 void interpolate_u8(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,

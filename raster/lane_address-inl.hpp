@@ -18,9 +18,9 @@ namespace {
 template <class R>
 struct Extent {
     using Real = hn::TFromD<R>;
-    hn::Vec<R> size, scale;   ///< texels; what coordinates are multiplied by
-    hn::Vec<R> least, most;   ///< what limited coordinates lie between
-    hn::Vec<R> last;          ///< texel of NEAREST
+    hn::Vec<R> size, scale;  ///< texels; what coordinates are multiplied by
+    hn::Vec<R> least, most;  ///< what limited coordinates lie between
+    hn::Vec<R> last;         ///< texel of NEAREST
     Wrap wrap;
 
     HWY_INLINE Extent(R r, int texels, Wrap wrap_mode, bool in_texels)
@@ -28,8 +28,8 @@ struct Extent {
           scale(hn::Set(r, static_cast<Real>(in_texels ? 1 : texels))),
           least(hn::Set(r, margin(wrap_mode))),
           most(hn::Sub(size, least)),
-          last(hn::Set(r, static_cast<Real>(wrap_mode == Wrap::clamp_to_border ? texels
-                                                                               : texels - 1))),
+          last(hn::Set(
+              r, static_cast<Real>(wrap_mode == Wrap::clamp_to_border ? texels : texels - 1))),
           wrap(wrap_mode) {}
 
     static Real margin(Wrap wrap) {
@@ -156,8 +156,7 @@ HWY_INLINE Footprint8 in_bytes(const Footprint<D>& f) {
     const D d;
     const I di;
     const auto weight = [&](V fraction) HWY_ATTR {
-        return hn::DemoteTo(
-            di, hn::Min(hn::Mul(fraction, hn::Set(d, 256.0)), hn::Set(d, 255.0)));
+        return hn::DemoteTo(di, hn::Min(hn::Mul(fraction, hn::Set(d, 256.0)), hn::Set(d, 255.0)));
     };
     return {f.offset, hn::Or(weight(f.a), hn::ShiftLeft<16>(weight(f.b)))};
 }

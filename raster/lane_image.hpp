@@ -33,8 +33,8 @@ constexpr LaneKind lane_kind() {
 
 /// A texel with its four channels side by side: a word of bytes, red lowest, or four numbers.
 template <NumericModel M>
-using LaneTexel = std::conditional_t<lane_kind<M>() == LaneKind::bytes, std::uint32_t,
-                                     Color<typename M::Real>>;
+using LaneTexel =
+    std::conditional_t<lane_kind<M>() == LaneKind::bytes, std::uint32_t, Color<typename M::Real>>;
 
 template <NumericModel M>
 using LaneShader = std::conditional_t<lane_kind<M>() == LaneKind::rounded, lanes::RoundedShader,
@@ -125,8 +125,7 @@ template <NumericModel M>
 std::string why_not_on_lanes(const BoundUnit<M>& unit) {
     const TextureUnitState& s = unit.state;
     const BaseFormat format = unit.texture->base_format;
-    const bool mirrored =
-        s.wrap_s == Wrap::mirrored_repeat || s.wrap_t == Wrap::mirrored_repeat;
+    const bool mirrored = s.wrap_s == Wrap::mirrored_repeat || s.wrap_t == Wrap::mirrored_repeat;
     const bool modulates = s.env.mode == TexEnvMode::modulate && format != BaseFormat::alpha;
     const bool replaces = s.env.mode == TexEnvMode::replace && format == BaseFormat::rgba &&
                           unit.env.rgb_scale == 1 && unit.env.alpha_scale == 1;

@@ -70,7 +70,8 @@ HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
 #endif
 }
 
-/// Whether the floors of two vectors of such numbers could be others' that are within 2^-21 of them.
+/// Whether the floors of two vectors of such numbers could be others' that are within 2^-21 of
+/// them.
 HWY_INLINE hn::Mask<DI> in_doubt(hn::Vec<U> low, hn::Vec<U> high) {
     const DI di;
     return hn::Eq(hn::And(lower_halves(low, high), hn::Set(di, 0x7fffe)), hn::Zero(di));

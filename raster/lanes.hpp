@@ -22,12 +22,13 @@ struct CoverEdge {
 /// A triangle inside a tile. Doubled areas are integers below 2^52 at every pixel of the tile, so
 /// binary64 holds them exactly.
 struct Triangle {
-    std::array<CoverEdge, 3> cover;  ///< 0 for an edge that has all pixels to visit on its inner side
-    std::array<Plane, 3> e;          ///< doubled areas opposite each vertex
-    double area;                     ///< the sum of the three
-    int x0, y0, x1, y1;              ///< pixels to visit, relative to the tile
-    double z0, dz1, dz2;             ///< depth of vertex 0 and what the others have more
-    Plane near_depth;                ///< depth in units of the buffer, to 2^-21 if it is usable
+    std::array<CoverEdge, 3>
+        cover;               ///< 0 for an edge that has all pixels to visit on its inner side
+    std::array<Plane, 3> e;  ///< doubled areas opposite each vertex
+    double area;             ///< the sum of the three
+    int x0, y0, x1, y1;      ///< pixels to visit, relative to the tile
+    double z0, dz1, dz2;     ///< depth of vertex 0 and what the others have more
+    Plane near_depth;        ///< depth in units of the buffer, to 2^-21 if it is usable
     bool near_depth_usable;
     std::array<double, 3> inverse_w;
     bool equal_w;
@@ -52,11 +53,11 @@ struct LateTests {
 /// What a triangle's corners carry into interpolation, where the mesh keeps it.
 template <class Real, class Channel>
 struct Corners {
-    using Coords = std::array<Real, 4>;                              ///< s, t, r, q
+    using Coords = std::array<Real, 4>;                           ///< s, t, r, q
     std::array<std::array<const Coords*, 3>, lane_units> coords;  ///< [unit][vertex]
     std::array<const Color<Channel>*, 3> colors;
-    bool over_w;     ///< coordinates are over w already
-    bool one_color;  ///< all three the same
+    bool over_w;                                ///< coordinates are over w already
+    bool one_color;                             ///< all three the same
     std::array<bool, lane_units> choose_level;  ///< whether a unit's fragments do
 };
 using ByteCorners = Corners<double, int>;

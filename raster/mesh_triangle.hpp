@@ -21,8 +21,8 @@ struct VertexFlags {
 /// A triangle that has area, faces the right way and meets the picture.
 struct MeshTriangle {
     std::array<std::uint32_t, 3> vertex;
-    std::uint32_t provoking;               ///< whose colours all corners wear under flat shading
-    std::int16_t x0, y0, x1, y1;           ///< pixels of its bounding box in the picture
+    std::uint32_t provoking;      ///< whose colours all corners wear under flat shading
+    std::int16_t x0, y0, x1, y1;  ///< pixels of its bounding box in the picture
     VertexFlags flags;
 };
 

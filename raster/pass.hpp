@@ -148,8 +148,8 @@ struct Frame {
     std::optional<ByteImage> initial_color;
 };
 
-/// Also without what cannot change a pixel of this frame: a scissor around the whole picture, dither
-/// of 8-bit channels.
+/// Also without what cannot change a pixel of this frame: a scissor around the whole picture,
+/// dither of 8-bit channels.
 PassState normalized(const Frame& frame, const Pass& pass);
 
 }  // namespace twofold

@@ -12,8 +12,8 @@ bool same_vertices(const PassState& a, const PassState& b) {
 }
 
 bool same_place(const PassState& a, const PassState& b) {
-    return a.modelview == b.modelview && a.projection == b.projection &&
-           a.viewport == b.viewport && a.window_space == b.window_space &&
+    return a.modelview == b.modelview && a.projection == b.projection && a.viewport == b.viewport &&
+           a.window_space == b.window_space &&
            a.perspective_correction == b.perspective_correction && a.cull == b.cull;
 }
 

@@ -17,9 +17,9 @@ struct Fragment {
 };
 
 template <NumericModel M>
-SamplePoint<typename M::Real> with_neighbours(
-    const BoundPass<M>& pass, const BoundUnit<M>& unit, const Fragment<M>& f,
-    const ProjectiveCoordinates<typename M::Real>& here) {
+SamplePoint<typename M::Real> with_neighbours(const BoundPass<M>& pass, const BoundUnit<M>& unit,
+                                              const Fragment<M>& f,
+                                              const ProjectiveCoordinates<typename M::Real>& here) {
     SamplePoint<typename M::Real> at{here, {}, {}};
     if (!unit.derivatives) return at;
     const int bits = pass.m.snap().fraction_bits;

@@ -13,8 +13,8 @@ namespace twofold {
 
 /// A colour as the fast pipeline's framebuffer holds it: a word of bytes, red lowest, or numbers.
 template <NumericModel M>
-using StoredColor =
-    std::conditional_t<std::is_integral_v<typename M::Pixel>, std::uint32_t, Color<typename M::Pixel>>;
+using StoredColor = std::conditional_t<std::is_integral_v<typename M::Pixel>, std::uint32_t,
+                                       Color<typename M::Pixel>>;
 
 template <NumericModel M>
 StoredColor<M> stored_color(const Color<typename M::Pixel>& c) {
@@ -94,8 +94,7 @@ void add_corners(const TileTriangle<M>& t, const TileMemory<M>& tile, lanes::Tri
     out.y1 = static_cast<int>(t.pixels.y1) - tile.y0;
     for (std::size_t k = 0; k < 3; ++k)
         out.inverse_w[k] = static_cast<double>(corner(t, k).inverse_w);
-    out.equal_w =
-        out.inverse_w[0] == out.inverse_w[1] && out.inverse_w[1] == out.inverse_w[2];
+    out.equal_w = out.inverse_w[0] == out.inverse_w[1] && out.inverse_w[1] == out.inverse_w[2];
     if (t.pass.depth.computed) add_depth(t, out);
 }
 
@@ -184,8 +183,8 @@ void draw_on_lanes(const TileTriangle<M>& t, const lanes::Triangle& edges, TileM
     if (!waits) flush(t.pass, true, tile);
     const auto corners = lane_corners(t);
     for (int row = edges.y0; row < edges.y1;) {
-        const lanes::Covered covered = lanes::cover(edges, rule, tile.depth.data(), row,
-                                                    tile.batch.size, tile.batch.places);
+        const lanes::Covered covered =
+            lanes::cover(edges, rule, tile.depth.data(), row, tile.batch.size, tile.batch.places);
         row = covered.row;
         if (covered.count == 0) continue;
         if (t.pass.has_levels)

@@ -34,8 +34,8 @@ TileEdges edges_in_tile(const TriangleSetup& setup, const PixelRectangle& pixels
         const std::int64_t first = (value - (edge.holds_its_points ? 0 : 1)) >> fraction_bits;
         const Extent inside = extent(first, edge.a * right, edge.b * down);
         if (inside.greatest < 0) out.none_covered = true;
-        const std::int64_t reach = magnitude(first) + (magnitude(edge.a) + magnitude(edge.b)) *
-                                                          2 * lanes::tile_edge;
+        const std::int64_t reach =
+            magnitude(first) + (magnitude(edge.a) + magnitude(edge.b)) * 2 * lanes::tile_edge;
         if (reach >= std::int64_t{1} << (51 - fraction_bits)) out.usable = false;
         out.triangle.e[k] = {static_cast<double>(value), static_cast<double>(edge.a * one),
                              static_cast<double>(edge.b * one)};

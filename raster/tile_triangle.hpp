@@ -12,7 +12,7 @@ template <NumericModel M>
 struct TilePass {
     BoundPass<M> bound;
     const WindowMesh<M>* mesh;
-    std::size_t group, member;  ///< number of its group, and of the pass in it
+    std::size_t group, member;                  ///< number of its group, and of the pass in it
     std::array<std::size_t, max_units> set_of;  ///< the mesh's coordinate set that a unit reads
     PixelRectangle pixels;
     bool on_lanes, has_levels;

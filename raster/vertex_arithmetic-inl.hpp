@@ -78,8 +78,8 @@ struct Nv1x {
     static HWY_INLINE V power(V a) { return masked(a, exponent_bits); }
     static HWY_INLINE V over_power(V power) {
         const U u;
-        return hn::BitCast(D(), hn::Sub(hn::Set(u, std::uint64_t{2046} << 52),
-                                        hn::BitCast(u, power)));
+        return hn::BitCast(D(),
+                           hn::Sub(hn::Set(u, std::uint64_t{2046} << 52), hn::BitCast(u, power)));
     }
 
     /// The terms cut to a common unit, 2^-28 of the largest's power of two.
@@ -106,8 +106,9 @@ struct Nv1x {
         V most = hn::Abs(exact[0]);
         ((most = hn::Max(most, hn::Abs(exact[K]))), ...);
         const D d;
-        const Mask moderate = hn::Or(hn::And(hn::Gt(most, set(0x1p-90)), hn::Lt(most, set(0x1p120))),
-                                     hn::Eq(most, hn::Zero(d)));
+        const Mask moderate =
+            hn::Or(hn::And(hn::Gt(most, set(0x1p-90)), hn::Lt(most, set(0x1p120))),
+                   hn::Eq(most, hn::Zero(d)));
         if (HWY_UNLIKELY(!hn::AllTrue(d, moderate)))
             return sum_of(most_of(composed(exact[K])...), composed(exact[K])...);
         const V p = power(hn::Max(most, set(least_normal)));
@@ -142,15 +143,17 @@ struct Nv1x {
         const V over = over_power(power(a));
         const V m = hn::Mul(hn::Mul(hn::Abs(a), over), set(0x1p23));
         const V t = hn::GatherIndex(D(), seeds, seed_index(a));
-        const V y1 = hn::Floor(
-            hn::Mul(hn::Mul(hn::Sub(set(0x1p31), hn::Mul(t, m)), t), set(0x1p-24)));
-        const V y2 = hn::Floor(
-            hn::Mul(hn::Mul(hn::Sub(set(0x1p37), hn::Mul(y1, m)), y1), set(0x1p-25)));
+        const V y1 =
+            hn::Floor(hn::Mul(hn::Mul(hn::Sub(set(0x1p31), hn::Mul(t, m)), t), set(0x1p-24)));
+        const V y2 =
+            hn::Floor(hn::Mul(hn::Mul(hn::Sub(set(0x1p37), hn::Mul(y1, m)), y1), set(0x1p-25)));
         const Mask whole = hn::Eq(m, set(0x1p23));
         const V significand = hn::IfThenElse(whole, set(0x1p24), y2);
         return composed(hn::CopySign(hn::Mul(hn::Mul(significand, set(0x1p-24)), over), a));
     }
-    static HWY_INLINE V reciprocal(V a) { return reciprocal_from(nv1x::reciprocal_seeds_f64.data(), a); }
+    static HWY_INLINE V reciprocal(V a) {
+        return reciprocal_from(nv1x::reciprocal_seeds_f64.data(), a);
+    }
 
     /// The exponent held within 2^-64 and 2^64, the fraction kept; 1/0 is 2^64.
     static HWY_INLINE V clip_reciprocal(V w) {
@@ -172,26 +175,27 @@ struct Nv1x {
         const V p = power(a);
         // 2^(e - 127) with e even is an odd power: the argument is doubled and the power halved.
         const auto biased = hn::ShiftRight<52>(hn::BitCast(u, p));
-        const auto odd_power = hn::BitCast(
-            D(), hn::Sub(hn::Zero(u), hn::And(hn::Not(biased), hn::Set(u, 1))));
+        const auto odd_power =
+            hn::BitCast(D(), hn::Sub(hn::Zero(u), hn::And(hn::Not(biased), hn::Set(u, 1))));
         const V m = hn::Mul(hn::Mul(hn::Mul(hn::Abs(a), over_power(p)), set(0x1p23)),
                             hn::IfVecThenElse(odd_power, set(2.0), set(1.0)));
         const auto row = hn::And(hn::BitCast(u, odd_power), hn::Set(u, 64));
         const auto index = hn::Add(seed_index(a), hn::BitCast(hn::RebindToSigned<D>(), row));
         const V t = hn::GatherIndex(D(), seeds, index);
-        const V y1 = hn::Floor(hn::Mul(
-            hn::Mul(hn::Sub(set(0x3p37), hn::Mul(hn::Mul(t, t), m)), t), set(0x1p-32)));
+        const V y1 = hn::Floor(
+            hn::Mul(hn::Mul(hn::Sub(set(0x3p37), hn::Mul(hn::Mul(t, t), m)), t), set(0x1p-32)));
         // The last product has 64 bits: in two parts, each exact.
         const V rest = hn::Sub(set(0x3p49), hn::Mul(hn::Mul(y1, y1), m));
         const V high = hn::Floor(hn::Mul(rest, set(0x1p-26)));
         const V low = hn::Sub(rest, hn::Mul(high, set(0x1p26)));
-        const V y2 = hn::Floor(hn::Mul(
-            hn::Add(hn::Mul(high, y1), hn::Floor(hn::Mul(hn::Mul(low, y1), set(0x1p-26)))),
-            set(0x1p-13)));
+        const V y2 = hn::Floor(
+            hn::Mul(hn::Add(hn::Mul(high, y1), hn::Floor(hn::Mul(hn::Mul(low, y1), set(0x1p-26)))),
+                    set(0x1p-13)));
         // compose(0, 126 - half, y2) with half = floor((e - 127) / 2).
-        const auto half = hn::ShiftRight<1>(hn::Add(biased, hn::Set(u, 1)));  // floor((E-1023)/2)+512
-        const V over_root = hn::BitCast(
-            D(), hn::ShiftLeft<52>(hn::Sub(hn::Set(u, 1023 + 512), half)));
+        const auto half =
+            hn::ShiftRight<1>(hn::Add(biased, hn::Set(u, 1)));  // floor((E-1023)/2)+512
+        const V over_root =
+            hn::BitCast(D(), hn::ShiftLeft<52>(hn::Sub(hn::Set(u, 1023 + 512), half)));
         return composed(hn::Mul(hn::Mul(y2, set(0x1p-24)), over_root));
     }
     static HWY_INLINE V reciprocal_sqrt(V a) {

@@ -8,7 +8,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/vertex_lanes.cpp"
 #include <hwy/foreach_target.h>
-
 #include <hwy/highway.h>
 
 #include "raster/vertex_arithmetic-inl.hpp"
@@ -153,10 +152,9 @@ HWY_INLINE V generated(const SetRule& rule, std::size_t k, const Sources& from, 
 
 template <class A>
 HWY_NOINLINE Four coordinates(const SetRule& rule, const Sources& from, const Four& own) {
-    return multiply<A>(rule.matrix, {generated<A>(rule, 0, from, own),
-                                     generated<A>(rule, 1, from, own),
-                                     generated<A>(rule, 2, from, own),
-                                     generated<A>(rule, 3, from, own)});
+    return multiply<A>(rule.matrix,
+                       {generated<A>(rule, 0, from, own), generated<A>(rule, 1, from, own),
+                        generated<A>(rule, 2, from, own), generated<A>(rule, 3, from, own)});
 }
 
 template <class A>
@@ -180,8 +178,8 @@ struct Bits {
 
     HWY_INLINE void add(Mask m, int bit) {
         const U u;
-        value = hn::Or(value, hn::IfThenElseZero(hn::RebindMask(u, m),
-                                                 hn::Set(u, std::uint64_t{1} << bit)));
+        value = hn::Or(
+            value, hn::IfThenElseZero(hn::RebindMask(u, m), hn::Set(u, std::uint64_t{1} << bit)));
     }
 };
 
@@ -195,7 +193,8 @@ HWY_NOINLINE hn::Vec<U> outcodes(const VertexRule& rule, const Four& c) {
     };
     const V x = moved(c.x, 0), y = moved(c.y, 1), z = moved(c.z, 2);
     const V band = hn::Mul(set(guard_band), c.w);
-    const V right = hn::Mul(set(rule.width + 1.0), c.w), below = hn::Mul(set(rule.height + 1.0), c.w);
+    const V right = hn::Mul(set(rule.width + 1.0), c.w),
+            below = hn::Mul(set(rule.height + 1.0), c.w);
     Bits bits{hn::Zero(U())};
     bits.add(negative(hn::Sub(c.w, set(smallest_w))), 0);
     bits.add(negative(z), 1);
@@ -246,9 +245,9 @@ HWY_INLINE void transform_vector(const VertexRule& rule, const VertexInput& in, 
         const int bit = static_cast<int>(k);
         flags.add(hn::Ge(w, set(smallest_q)), bit);
         flags.add(hn::Le(w, set(-smallest_q)), 4 + bit);
-        const Mask bounded = hn::And(hn::And(within(x, largest_coordinate),
-                                             within(y, largest_coordinate)),
-                                     within(w, largest_coordinate));
+        const Mask bounded =
+            hn::And(hn::And(within(x, largest_coordinate), within(y, largest_coordinate)),
+                    within(w, largest_coordinate));
         flags.add(bounded, 8 + bit);
     }
     const V emitted = hn::Load(d, out.inverse_w.data() + i);

@@ -5,9 +5,9 @@
 
 #include "raster/pass.hpp"
 
-/// The vertex stage on vectors: what transform.hpp, texgen.hpp and project.hpp compute, for blocks of
-/// vertices, in the three arithmetics that presets use. Numbers travel as binary64, which holds every
-/// word of the narrower formats.
+/// The vertex stage on vectors: what transform.hpp, texgen.hpp and project.hpp compute, for blocks
+/// of vertices, in the three arithmetics that presets use. Numbers travel as binary64, which holds
+/// every word of the narrower formats.
 namespace twofold::lanes {
 
 enum class VertexArithmetic { binary64, binary32, nv1x, nv2x };
@@ -37,7 +37,7 @@ struct VertexRule {
     std::array<SetRule, max_units> set;
     std::array<double, 3> offset;      ///< of the viewport, as the arithmetic holds it
     std::array<double, 3> offset_f64;  ///< the same for clipping, which is in binary64
-    double snap;                   ///< snap units in a pixel
+    double snap;                       ///< snap units in a pixel
     bool perspective = true, over_w = true;
     double width, height;  ///< of the picture, pixels
 };
@@ -63,8 +63,8 @@ struct VertexOutput {
     alignas(64) VertexColumn<std::int32_t> x, y;  ///< in snap units
     alignas(64) VertexColumn<double> z, inverse_w;
     alignas(64) std::array<std::array<VertexColumn<double>, 4>, max_units> coords;
-    /// outcode() of clip.hpp, and the bits of VertexFlags of window_mesh.hpp: bit k of each group of
-    /// four belongs to set k; positive, negative, bounded, and bit 12 finite.
+    /// outcode() of clip.hpp, and the bits of VertexFlags of window_mesh.hpp: bit k of each group
+    /// of four belongs to set k; positive, negative, bounded, and bit 12 finite.
     alignas(64) VertexColumn<std::uint64_t> outcode, flags;
     /// Vertices for which the chip's arithmetic meets an infinity; the rest of theirs is void.
     alignas(64) VertexColumn<double> wild;  ///< not 0

@@ -80,8 +80,8 @@ template <class Arithmetic>
 lanes::SetRule set_rule(const TexGenState& texgen, const lanes::Rows& matrix) {
     lanes::SetRule rule{texgen.mode, {}, matrix};
     for (std::size_t k = 0; k < 4; ++k) {
-        const Vec4& plane = texgen.mode[k] == TexGen::object_linear ? texgen.object_plane[k]
-                                                                    : texgen.eye_plane[k];
+        const Vec4& plane =
+            texgen.mode[k] == TexGen::object_linear ? texgen.object_plane[k] : texgen.eye_plane[k];
         for (int j = 0; j < 4; ++j)
             rule.plane[k][static_cast<std::size_t>(j)] = held<Arithmetic>(plane[j]);
     }

@@ -64,8 +64,10 @@ GroupGeometry<M> group_geometry(const M& m, const Frame& frame, const PassGroup&
     auto constants = vertex_constants<typename M::Vertex>(state, rules.viewport);
     for (std::size_t k = 0; k < group.sets.size(); ++k) constants.own[k] = group.sets[k].unit;
     const Mesh& mesh = frame.meshes[first.mesh];
-    return {mesh,      std::move(state),
-            rules,     std::move(constants),
+    return {mesh,
+            std::move(state),
+            rules,
+            std::move(constants),
             assemble(mesh.primitive, mesh.indices, state.provoking_vertex),
             group.sets.size()};
 }
@@ -103,14 +105,18 @@ void resize(WindowMesh<M>& out, std::size_t size, std::size_t sets) {
 
 template <NumericModel M>
 void put(WindowMesh<M>& out, std::size_t i, const WindowVertex<M>& v, std::size_t sets) {
-    out.vertices[i] = {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y), v.z,
-                       v.inverse_w, v.color, v.secondary_color};
+    out.vertices[i] = {static_cast<std::int32_t>(v.x),
+                       static_cast<std::int32_t>(v.y),
+                       v.z,
+                       v.inverse_w,
+                       v.color,
+                       v.secondary_color};
     for (std::size_t k = 0; k < sets; ++k) out.coords[k][i] = v.coords[k];
     out.flags[i] = flags_of<M>(out.vertices[i], v.coords, sets);
 }
 
-/// The vertex stage for one vertex. One outside a clip plane is not projected: only clip() reads it,
-/// and flat triangles its colours.
+/// The vertex stage for one vertex. One outside a clip plane is not projected: only clip() reads
+/// it, and flat triangles its colours.
 template <NumericModel M>
 void place_vertex(const M& m, const GroupGeometry<M>& g, std::size_t i, WindowMesh<M>& out) {
     const ClipVertex v = transform_vertex<typename M::Vertex>(g.constants, g.state, g.mesh, i);
@@ -148,7 +154,9 @@ void keep_if_visible(const GroupGeometry<M>& g, int bits,
     const auto [a, b, c] = v;
     const std::int64_t area = doubled_area({a->x, a->y}, {b->x, b->y}, {c->x, c->y});
     if (area == 0 || is_culled(g.rules.cull, area < 0)) return;
-    const auto first = [bits](std::int64_t x) { return std::max<std::int64_t>(first_pixel(x, bits), 0); };
+    const auto first = [bits](std::int64_t x) {
+        return std::max<std::int64_t>(first_pixel(x, bits), 0);
+    };
     const auto end = [bits](std::int64_t x, int size) {
         return std::min<std::int64_t>(last_pixel(x, bits) + 1, size);
     };
@@ -185,8 +193,8 @@ void keep_clipped(const M& m, const GroupGeometry<M>& g, const AssembledTriangle
     for (std::size_t k = 2; k < polygon.size; ++k) {
         const std::array<std::size_t, 3> corner{first, first + k - 1, first + k};
         MeshTriangle made{};
-        made.flags = block.made.flags[corner[0]] & block.made.flags[corner[1]] &
-                     block.made.flags[corner[2]];
+        made.flags =
+            block.made.flags[corner[0]] & block.made.flags[corner[1]] & block.made.flags[corner[2]];
         for (std::size_t i = 0; i < 3; ++i)
             made.vertex[i] = first_new_vertex + static_cast<std::uint32_t>(corner[i]);
         made.provoking = made.vertex[2];
