@@ -50,7 +50,7 @@ struct FactoredLighting {
     Model model = Model::product;
     std::vector<ProductTerm> terms;  ///< one, unless FactorSettings::terms asks for more; svd: the
                                      ///< positive parts of its signed terms
-    int doubling_passes = 0;         ///< 0 unless a term's c exceeds 4
+    int doubling_passes = 0;         ///< 0 unless a term's c exceeds the scale
     double white = 1.0;              ///< radiance that the picture shows as 1
     DistantLights lights;     ///< mccool: a pass each; the terms' constants are per irradiance
     std::string closed_form;  ///< the shortcut that gave the texels; empty: they were fitted

@@ -61,6 +61,8 @@ const FactorSettings& checked(const FactorSettings& s) {
             fmt::format("refinement_weight is {}", s.refinement_weight));
     require(s.scale_percentile > 0.0 && s.scale_percentile <= 100.0,
             fmt::format("scale_percentile is {}", s.scale_percentile));
+    require(s.combiner_scale == 1 || s.combiner_scale == 2 || s.combiner_scale == 4,
+            fmt::format("combiner_scale is {}", s.combiner_scale));
     return s;
 }
 

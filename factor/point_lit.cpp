@@ -102,13 +102,13 @@ FitError error_of(const ChannelMaps& maps, int c, const MapShape& shape,
 
 /// The constant of the brightest light, in the vertex colour, the combiner's scale and doubling
 /// passes.
-void put_scale(FactoredLighting& result, Rgb alpha) {
+void put_scale(FactoredLighting& result, Rgb alpha, int largest_scale) {
     Rgb brightest{0.0};
     for (std::size_t k = 0; k < result.lights.size(); ++k)
         for (int c = 0; c < 3; ++c) brightest[c] = max(brightest[c], result.lights.weight(k)[c]);
     ProductTerm& term = result.terms[0];
     term.c = alpha * brightest / result.white;
-    ScaleSplit split = split_scale(term.c);
+    ScaleSplit split = split_scale(term.c, largest_scale);
     term.combiner_scale = split.combiner_scale;
     result.doubling_passes = split.doubling_passes;
     result.warnings = std::move(split.warnings);
@@ -152,7 +152,7 @@ FactoredLighting factor_point_lit(const Brdf& brdf, const DistantLights& lights,
     }
     result.terms[0].t1 = make_factor_map(p, shape, "p");
     result.terms[0].t2 = make_factor_map(q, shape, "q");
-    put_scale(result, alpha);
+    put_scale(result, alpha, settings.combiner_scale);
     return result;
 }
 

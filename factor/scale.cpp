@@ -106,14 +106,15 @@ ScaledProduct best_split(const std::array<ChannelProduct, 3>& channels,
     const MapShape shape = shape_of(settings);
     ScaledProduct result{channels, c, {}};
     Choice best{{}, std::numeric_limits<double>::infinity()};
-    for (const int k : {1, 2, 4, 8}) {
-        const bool doubled = k == 8;
-        if (doubled && (max_component(c) <= 4.0 || settings.terms > 1)) break;
+    const int largest = settings.combiner_scale;
+    for (int k = 1; k <= 2 * largest; k *= 2) {
+        const bool doubled = k > largest;
+        if (doubled && (max_component(c) <= largest || settings.terms > 1)) break;
         const Choice choice = best_choice(channels, c, shape, k, pairs);
         if (!(choice.error < (doubled ? doubling_pays * doubling_pays : 1.0) * best.error))
             continue;
         best = choice;
-        result.split.combiner_scale = doubled ? 4 : k;
+        result.split.combiner_scale = doubled ? largest : k;
         result.split.doubling_passes = doubled ? 1 : 0;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -136,7 +137,7 @@ void warn_of_vanished(ScaleSplit& split, Rgb c) {
 
 }  // namespace
 
-ScaleSplit split_scale(Rgb c) {
+ScaleSplit split_scale(Rgb c, int largest_scale) {
     ScaleSplit split;
     for (int i = 0; i < 3; ++i) {
         if (std::isfinite(c[i]) && c[i] >= 0.0) continue;
@@ -145,15 +146,16 @@ ScaleSplit split_scale(Rgb c) {
                                 channel_name(static_cast<std::size_t>(i)), c[i]));
     }
     const double largest = max_component(c);
-    while (split.combiner_scale < 4 && split.combiner_scale < largest) split.combiner_scale *= 2;
+    while (split.combiner_scale < largest_scale && split.combiner_scale < largest)
+        split.combiner_scale *= 2;
     double scale = split.combiner_scale;
     for (; scale < largest; scale *= 2.0) ++split.doubling_passes;
     split.color = c / scale;
 
     if (split.doubling_passes > 0) {
-        split.warnings.push_back(
-            fmt::format("scale constant {:.6g} exceeds the combiner's 4: {} doubling passes needed",
-                        largest, split.doubling_passes));
+        split.warnings.push_back(fmt::format(
+            "scale constant {:.6g} exceeds the combiner's {}: {} doubling passes needed", largest,
+            largest_scale, split.doubling_passes));
     }
     warn_of_vanished(split, c);
     return split;
@@ -175,7 +177,7 @@ ScaledProduct scaled_product(const std::array<ChannelProduct, 3>& channels,
     const MapShape shape = shape_of(settings);
     Rgb c{0.0};
     for (std::size_t i = 0; i < 3; ++i) c[static_cast<int>(i)] = constant_of(channels[i], white);
-    ScaledProduct result{channels, c, split_scale(c)};
+    ScaledProduct result{channels, c, split_scale(c, settings.combiner_scale)};
     if (settings.scale == ScaleRule::maximum || max_component(c) == 0.0) return result;
     if (settings.scale == ScaleRule::best_split) {
         result = best_split(channels, settings, c, pairs);
@@ -192,7 +194,7 @@ ScaledProduct scaled_product(const std::array<ChannelProduct, 3>& channels,
             with_limits(channels[i], shape, limit(channels[i].t1), limit(channels[i].t2));
         constant[static_cast<int>(i)] = constant_of(result.channels[i], white);
     }
-    result.split = split_scale(constant);
+    result.split = split_scale(constant, settings.combiner_scale);
     return result;
 }
 

@@ -69,6 +69,7 @@ struct FactorSettings {
     double refinement_weight = 0.75;  ///< its row weights are (L_i / mean L)^this / L_i
     ScaleRule scale = ScaleRule::maximum;
     double scale_percentile = 99.9;  ///< of the rule `percentile`
+    int combiner_scale = 4;          ///< the largest that a combiner may apply: 1, 2 or 4
     bool shortcuts = false;          ///< diffuse materials and one Phong lobe in closed form
 };
 

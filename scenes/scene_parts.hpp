@@ -18,6 +18,8 @@ inline constexpr std::size_t max_inline_texels = 4096;
 /// The most bytes a list of texels holds: four for each.
 inline constexpr std::size_t max_inline_bytes = 4 * max_inline_texels;
 
+/// A scale of a texture environment: 1, 2 or 4.
+int read_scale(const JsonValue& value);
 EnvironmentSpec read_environment(const JsonValue& value);
 WhitePoint read_white(const JsonValue& value);
 Brdf read_material(const JsonValue& value);

@@ -224,6 +224,7 @@ const std::initializer_list<std::string_view> factorization_fields{"method",
                                                                    "refinement_weight",
                                                                    "scale",
                                                                    "scale_percentile",
+                                                                   "combiner_scale",
                                                                    "shortcuts"};
 
 FactorSettings read_factorization(const JsonValue& value) {
@@ -233,6 +234,7 @@ FactorSettings read_factorization(const JsonValue& value) {
     const FactorSettings absent = method_preset(method);
     const Range positive{.low = 0.0, .high = 1.0, .low_excluded = true};
     const Range factor{.low = 0.0, .high = 1e6};
+    const auto scale = fields.find("combiner_scale");
     return {
         .method = method,
         .model = fields.enumerator("model", model_names, absent.model),
@@ -271,6 +273,7 @@ FactorSettings read_factorization(const JsonValue& value) {
         .scale_percentile =
             fields.number("scale_percentile", {.low = 0.0, .high = 100.0, .low_excluded = true},
                           absent.scale_percentile),
+        .combiner_scale = scale ? read_scale(*scale) : absent.combiner_scale,
         .shortcuts = fields.boolean("shortcuts", absent.shortcuts)};
 }
 

@@ -88,6 +88,7 @@ Json json_of(const FactorSettings& settings) {
             {"refinement_weight", settings.refinement_weight},
             {"scale", name_in(scale_rule_names, settings.scale)},
             {"scale_percentile", settings.scale_percentile},
+            {"combiner_scale", settings.combiner_scale},
             {"shortcuts", settings.shortcuts}};
 }
 

@@ -7,12 +7,6 @@ namespace {
 
 constexpr Range levels{.low = -16.0, .high = 16.0};
 
-int read_scale(const JsonValue& value) {
-    const int scale = value.integer(1, 4);
-    if (scale == 3) value.fail("3 is not one of 1, 2, 4");
-    return scale;
-}
-
 void read_planes(const JsonValue& value, std::array<Vec4, 4>& planes) {
     const auto elements = value.elements(4, 4);
     for (std::size_t i = 0; i < planes.size(); ++i) planes[i] = elements[i].vec4(coordinates);
@@ -97,6 +91,12 @@ TextureUnitState read_unit(const JsonObject& fields) {
 }
 
 }  // namespace
+
+int read_scale(const JsonValue& value) {
+    const int scale = value.integer(1, 4);
+    if (scale == 3) value.fail("3 is not one of 1, 2, 4");
+    return scale;
+}
 
 void read_units(const JsonValue& value, ScenePass& pass) {
     const auto elements = value.elements(0, pass.state.units.size());

@@ -89,3 +89,33 @@ TEST_CASE("doubling that one term needs is shared by the others") {
     CHECK(split.color.x == 0.375);
     CHECK(split.doubling_passes == 3);
 }
+
+TEST_CASE("what a combiner may not scale by goes into doubling passes") {
+    for (const int largest : {1, 2, 4}) {
+        CAPTURE(largest);
+        const ScaleSplit split = split_scale(Rgb(3.0, 1.0, 0.5), largest);
+        CHECK(split.combiner_scale == largest);
+        CHECK(split.combiner_scale << split.doubling_passes == 4);
+        CHECK(split.color.x == 0.75);
+        CHECK(split.warnings.empty() == (largest == 4));
+        CHECK(split_scale(Rgb(0.5), largest).combiner_scale == 1);
+    }
+}
+
+TEST_CASE("no rule scales by more than the combiner may, and the product stays") {
+    for (const ScaleRule rule :
+         {ScaleRule::maximum, ScaleRule::percentile, ScaleRule::best_split}) {
+        CAPTURE(static_cast<int>(rule));
+        FactorSettings settings = settings_of(rule);
+        const FactoredLighting free = factored(settings, 1.0);
+        settings.combiner_scale = 1;
+        const FactoredLighting held = factored(settings, 1.0);
+        CHECK(held.terms[0].combiner_scale == 1);
+        const ProductTerm& term = held.terms[0];
+        CHECK(drawn(held) == Approx(term.max1.x * term.max2.x / held.white).epsilon(1e-12));
+        CHECK(free.terms[0].combiner_scale > 1);
+    }
+    FactorSettings settings;
+    settings.combiner_scale = 3;
+    CHECK_THROWS_WITH(factored(settings, 4.0), Catch::Contains("combiner_scale is 3"));
+}

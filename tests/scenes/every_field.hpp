@@ -21,7 +21,7 @@ inline const std::vector<std::string> every_field{R"({
                     "row_weight": 0.5, "smoothness": 0.625, "seam": 0.375, "column_scaling": true,
                     "fill_power": 3.25, "view_knots": 17, "view_smoothness": 0.875,
                     "terms": 3, "rounds": 9, "row_norm": "max", "surface_rows": "texels", "refinement": 5, "refinement_weight": 0.625, "scale": "percentile",
-                    "scale_percentile": 98.5, "shortcuts": true},
+                    "scale_percentile": 98.5, "combiner_scale": 2, "shortcuts": true},
   "materials": {
     "a": {"cook_torrance": {"diffuse": [0.1, 0.2, 0.3], "specular": [0.4, 0.5, 0.6], "f0": [0.7, 0.8, 0.9],
                             "lobes": [{"m": 0.3, "weight": 0.25}, {"m": 0.15, "weight": 0.75}],
