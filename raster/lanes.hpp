@@ -22,8 +22,8 @@ struct CoverEdge {
 /// A triangle inside a tile. Doubled areas are integers below 2^52 at every pixel of the tile, so
 /// binary64 holds them exactly.
 struct Triangle {
-    std::array<CoverEdge, 3>
-        cover;               ///< 0 for an edge that has all pixels to visit on its inner side
+    /// 0 for an edge that has all pixels to visit on its inner side.
+    std::array<CoverEdge, 3> cover;
     std::array<Plane, 3> e;  ///< doubled areas opposite each vertex
     double area;             ///< the sum of the three
     int x0, y0, x1, y1;      ///< pixels to visit, relative to the tile

@@ -193,8 +193,8 @@ HWY_NOINLINE hn::Vec<U> outcodes(const VertexRule& rule, const Four& c) {
     };
     const V x = moved(c.x, 0), y = moved(c.y, 1), z = moved(c.z, 2);
     const V band = hn::Mul(set(guard_band), c.w);
-    const V right = hn::Mul(set(rule.width + 1.0), c.w),
-            below = hn::Mul(set(rule.height + 1.0), c.w);
+    const V right = hn::Mul(set(rule.width + 1.0), c.w);
+    const V below = hn::Mul(set(rule.height + 1.0), c.w);
     Bits bits{hn::Zero(U())};
     bits.add(negative(hn::Sub(c.w, set(smallest_w))), 0);
     bits.add(negative(z), 1);
@@ -210,8 +210,7 @@ HWY_NOINLINE hn::Vec<U> outcodes(const VertexRule& rule, const Four& c) {
     const Mask usable = hn::And(
         hn::And(within(c.x, largest_clip_coordinate), within(c.y, largest_clip_coordinate)),
         hn::And(within(c.z, largest_clip_coordinate), within(c.w, largest_clip_coordinate)));
-    const U u;
-    return hn::IfThenElse(hn::RebindMask(u, usable), bits.value, hn::Set(u, unusable_vertex));
+    return hn::IfThenElse(hn::RebindMask(U(), usable), bits.value, hn::Set(U(), unusable_vertex));
 }
 
 /// One vector of vertices: `from` in the mesh, `i` in the block.

@@ -85,9 +85,13 @@ bool is_power_of_two(int size) {
 
 }  // namespace
 
+bool has_sides_to_halve(int width, int height, int border) {
+    return is_power_of_two(width - 2 * border) && is_power_of_two(height - 2 * border);
+}
+
 std::vector<TextureImage> box_mipmaps(int width, int height, const Texels& texels, int border) {
     const int inner_width = width - 2 * border, inner_height = height - 2 * border;
-    if (!is_power_of_two(inner_width) || !is_power_of_two(inner_height))
+    if (!has_sides_to_halve(width, height, border))
         throw Error(ExitCode::failure,
                     fmt::format("mipmaps: the sides of {} x {} are not powers of two", inner_width,
                                 inner_height));

@@ -151,7 +151,7 @@ LitScene light_products(const Scene& scene, int threads, const StepListener& lis
 
 SampledScene sample_scene(const Scene& scene, int threads, const StepListener& listen) {
     SampledScene sampled = lights_and_materials(scene, threads, listen);
-    if (scene.factorization.model == Model::slf)
+    if (scene.factorization.model == Model::slf && !sampled.brdfs.empty())
         return with_surfaces(std::move(sampled), scene, threads, listen);
     sample_materials(sampled, scene.factorization, threads, listen,
                      [&](const std::string& name, const MaterialSampler& sampler) {

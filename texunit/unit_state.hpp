@@ -69,8 +69,8 @@ enum class TextureTarget {
 
 /// A texture unit that is switched on.
 struct TextureUnitState {
-    std::optional<std::size_t>
-        texture;  ///< index into the frame's textures; none reads as white (T11)
+    /// Index into the frame's textures; none reads as white (T11).
+    std::optional<std::size_t> texture;
     TextureTarget target = TextureTarget::texture_2d;
     TexGenState texgen;
     Mat4 matrix{1.0};  ///< texture matrix, applied to generated coordinates too

@@ -208,12 +208,8 @@ void add_paper_passes(Dice& dice, Frame& frame) {
 
 /// Those of bytes or floats whose sides inside the border are powers of two.
 void give_mipmaps(Texture& texture) {
-    const auto halves = [&](int side) {
-        const int inside = side - 2 * texture.border;
-        return (inside & (inside - 1)) == 0;
-    };
-    if (!halves(texture.width) || !halves(texture.height) || !texture.cube_faces.empty() ||
-        std::holds_alternative<PackedTexels>(texture.texels))
+    if (!has_sides_to_halve(texture.width, texture.height, texture.border) ||
+        !texture.cube_faces.empty() || std::holds_alternative<PackedTexels>(texture.texels))
         return;
     texture.mipmaps = box_mipmaps(texture.width, texture.height, texture.texels, texture.border);
 }

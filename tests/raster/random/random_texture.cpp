@@ -61,8 +61,6 @@ int random_side(Dice& dice) {
     return dice.chance(0.06) ? 64 : dice.one_of({1, 2, 3, 4, 4, 5, 7, 8, 8, 16, 16, 17});
 }
 
-bool is_power_of_two(int n) { return (n & (n - 1)) == 0; }
-
 }  // namespace
 
 Texture random_texture(Dice& dice) {
@@ -81,9 +79,7 @@ Texture random_texture(Dice& dice) {
         texture.cube_faces.push_back(
             {width, height, random_texels(dice, width, height, kind, format)});
     texture.border = std::holds_alternative<PackedTexels>(texture.texels) ? 0 : border;
-    const bool halves =
-        is_power_of_two(width - 2 * texture.border) && is_power_of_two(height - 2 * texture.border);
-    if (!cube && halves && dice.chance(0.4))
+    if (!cube && has_sides_to_halve(width, height, texture.border) && dice.chance(0.4))
         texture.mipmaps = box_mipmaps(width, height, texture.texels, texture.border);
     return texture;
 }
