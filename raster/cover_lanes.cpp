@@ -12,6 +12,24 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// A number below 2^31 in magnitude rounded to units of 2^-19, in the lower bits of a word, and one
+/// unit more.
+HWY_INLINE hn::Vec<U> fixed(V x) {
+    return hn::BitCast(U(), hn::Add(x, hn::Set(D(), 0x1.8p33 + 0x1p-19)));
+}
+
+/// Whether the floors of two vectors of such numbers could be others' that are within 2^-21 of
+/// them.
+HWY_INLINE hn::Mask<DI> in_doubt(hn::Vec<U> low, hn::Vec<U> high) {
+    const DI di;
+    return hn::Eq(hn::And(lower_halves(low, high), hn::Set(di, 0x7fffe)), hn::Zero(di));
+}
+
+/// The floors of two vectors of such numbers that are not in doubt.
+HWY_INLINE VI floors(hn::Vec<U> low, hn::Vec<U> high) {
+    return lower_halves(hn::ShiftRight<19>(low), hn::ShiftRight<19>(high));
+}
+
 /// Pixels of one row, the first at (x, y) from the triangle's first.
 struct RowPixels {
     int x, y;

@@ -34,30 +34,8 @@ HWY_INLINE void store(const Footprints& f, std::size_t u, std::size_t i, ByteBat
     hn::StoreU(f.weights, di, reinterpret_cast<std::int32_t*>(out.fine[u].weights.data() + i));
 }
 
-/// Footprints of one unit by linear numbers and 1/q where no doubt is left, else as the reference
-/// does.
-HWY_INLINE void place_near(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
-                           std::size_t u, const FourPlanes& p, const Two& x, const Two& y,
-                           const Two& over_q, std::size_t i, ByteBatch& out) {
-    const auto u_low = fixed(hn::Mul(p.at(Near::x, x.low, y.low), over_q.low));
-    const auto v_low = fixed(hn::Mul(p.at(Near::y, x.low, y.low), over_q.low));
-    const auto u_high = fixed(hn::Mul(p.at(Near::x, x.high, y.high), over_q.high));
-    const auto v_high = fixed(hn::Mul(p.at(Near::y, x.high, y.high), over_q.high));
-    const auto doubt = hn::Or(in_doubt(u_low, u_high), in_doubt(v_low, v_high));
-    if (HWY_LIKELY(hn::AllFalse(DI(), doubt)))
-        store(footprints_at(s.unit[u].image, floors(u_low, u_high), floors(v_low, v_high)), u, i,
-              out);
-    else
-        store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
-}
-
-/// 1/q of both units at a vector of fragments.
-struct Reciprocals {
-    std::array<Two, lane_units> over_q;
-};
-
-/// How many divisions the reciprocals take: one where both q are the same or their product can be
-/// divided by.
+/// How many divisions 1/q of both units takes: one where both q are the same or their product can
+/// be divided by.
 enum class Divisions { same, product, each };
 
 Divisions divisions_of(const Near& a, const Near& b) {
@@ -65,51 +43,116 @@ Divisions divisions_of(const Near& a, const Near& b) {
     return a.moderate && b.moderate ? Divisions::product : Divisions::each;
 }
 
-HWY_INLINE Reciprocals reciprocals_of(Divisions divisions, const std::array<Near, lane_units>& near,
-                                      const Two& x, const Two& y) {
-    const auto q = [&](std::size_t u) HWY_ATTR {
-        return Two{near[u].planes.at(Near::q, x.low, y.low),
-                   near[u].planes.at(Near::q, x.high, y.high)};
-    };
-    const auto reciprocal = [](const Two& v) HWY_ATTR {
-        return Two{near_reciprocal(v.low), near_reciprocal(v.high)};
-    };
-    const Two q0 = q(0);
-    if (divisions == Divisions::same) {
-        const Two over = reciprocal(q0);
-        return {{over, over}};
+/// Units that are placed by linear numbers and 1/q, prepared once for a triangle.
+struct Placing {
+    const Triangle& t;
+    const ByteCorners& c;
+    const Shader<std::uint32_t>& s;
+    const std::array<Near, lane_units>& near;
+    std::size_t begin, end;  ///< of the units
+    std::array<NearImage, lane_units> image{NearImage(s.unit[0].image), NearImage(s.unit[1].image)};
+    Divisions divisions = divisions_of(near[0], near[1]);
+
+    /// Footprints of unit u where no doubt is left, else as the reference finds them.
+    template <class Planes>
+    HWY_INLINE void place(std::size_t u, const Planes& planes, const Two& over_q, std::size_t i,
+                          ByteBatch& out) const {
+        const VI x = image[u].x.units(product(planes(u, Near::x), over_q));
+        const VI y = image[u].y.units(product(planes(u, Near::y), over_q));
+        if (HWY_LIKELY(hn::AllFalse(DI(), hn::Or(in_doubt(x), in_doubt(y)))))
+            store(image[u].footprints(x, y), u, i, out);
+        else
+            store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
     }
-    const Two q1 = q(1);
-    if (divisions == Divisions::each) return {{reciprocal(q0), reciprocal(q1)}};
-    const Two over = reciprocal(product(q0, q1));
-    return {{product(over, q1), product(over, q0)}};
+};
+
+HWY_INLINE Two reciprocal(const Two& q) {
+    return {near_reciprocal(q.low), near_reciprocal(q.high)};
 }
 
-/// Both units, near.
-void place_both(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
-                const std::array<Near, lane_units>& near, std::size_t count, ByteBatch& out) {
-    const DI di;
-    const Divisions divisions = divisions_of(near[0], near[1]);
-    for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
-        const VI at = hn::LoadU(di, out.places.at.data() + i);
-        const Two x = columns_of(t, at), y = rows_of(t, at);
-        const Reciprocals r = reciprocals_of(divisions, near, x, y);
-        place_near(t, c, s, 0, near[0].planes, x, y, r.over_q[0], i, out);
-        place_near(t, c, s, 1, near[1].planes, x, y, r.over_q[1], i, out);
+struct BothUnits : Placing {
+    /// @param planes  planes(unit, k): plane k of Near at the fragments from i on
+    template <class Planes>
+    HWY_INLINE void operator()(const Planes& planes, std::size_t i, ByteBatch& out) const {
+        const Two q = planes(0, Near::q);
+        Two over0, over1;
+        if (divisions == Divisions::same) {
+            over0 = over1 = reciprocal(q);
+        } else if (divisions == Divisions::each) {
+            over0 = reciprocal(q);
+            over1 = reciprocal(planes(1, Near::q));
+        } else {
+            const Two q1 = planes(1, Near::q), over = reciprocal(product(q, q1));
+            over0 = product(over, q1);
+            over1 = product(over, q);
+        }
+        place(0, planes, over0, i, out);
+        place(1, planes, over1, i, out);
+    }
+};
+
+struct OneUnit : Placing {
+    template <class Planes>
+    HWY_INLINE void operator()(const Planes& planes, std::size_t i, ByteBatch& out) const {
+        place(begin, planes, reciprocal(planes(begin, Near::q)), i, out);
+    }
+};
+
+/// Whether `count` fragments are all pixels of some rows between t.x0 and t.x1: as there are no
+/// more of them between the first row and the last.
+bool fill_rows(const Triangle& t, const std::int32_t* at, std::size_t count) {
+    const int rows = (at[count - 1] >> tile_edge_bits) - (at[0] >> tile_edge_bits) + 1;
+    return static_cast<int>(count) == rows * (t.x1 - t.x0);
+}
+
+/// Fragments that fill rows: what y gives to a plane is found once a row. The vectors at the ends of
+/// rows reach into the next.
+template <class Units>
+void place_rows(const Units& units, std::size_t count, ByteBatch& out) {
+    const D d;
+    const Triangle& t = units.t;
+    const auto width = static_cast<std::size_t>(t.x1 - t.x0), lanes = hn::Lanes(d);
+    const Two columns{hn::Iota(d, 0.0), hn::Iota(d, static_cast<double>(lanes))};
+    for (std::size_t i = out.size; i < out.size + count; i += width) {
+        const double y = (out.places.at[i] >> tile_edge_bits) - t.y0;
+        std::array<std::array<double, 4>, lane_units> first;
+        for (std::size_t u = units.begin; u < units.end; ++u)
+            for (std::size_t k = 0; k < 4; ++k)
+                first[u][k] = units.near[u].planes.first[k] + y * units.near[u].planes.dy[k];
+        for (std::size_t x = 0; x < width; x += 2 * lanes) {
+            const V start = hn::Set(d, static_cast<double>(x));
+            const Two at{hn::Add(columns.low, start), hn::Add(columns.high, start)};
+            const auto planes = [&](std::size_t u, std::size_t k) HWY_ATTR {
+                const V dx = hn::Set(d, units.near[u].planes.dx[k]), at0 = hn::Set(d, first[u][k]);
+                return Two{hn::Add(hn::Mul(at.low, dx), at0), hn::Add(hn::Mul(at.high, dx), at0)};
+            };
+            units(planes, i + x, out);
+        }
     }
 }
 
-/// One unit, near.
-void place_one(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
-               std::size_t u, const FourPlanes& planes, std::size_t count, ByteBatch& out) {
+template <class Units>
+HWY_INLINE void place_anywhere(const Units& units, std::size_t count, ByteBatch& out) {
     const DI di;
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
         const VI at = hn::LoadU(di, out.places.at.data() + i);
-        const Two x = columns_of(t, at), y = rows_of(t, at);
-        const Two over_q{near_reciprocal(planes.at(Near::q, x.low, y.low)),
-                         near_reciprocal(planes.at(Near::q, x.high, y.high))};
-        place_near(t, c, s, u, planes, x, y, over_q, i, out);
+        const Two x = columns_of(units.t, at), y = rows_of(units.t, at);
+        const auto planes = [&](std::size_t u, std::size_t k) HWY_ATTR {
+            const FourPlanes& p = units.near[u].planes;
+            return Two{p.at(k, x.low, y.low), p.at(k, x.high, y.high)};
+        };
+        units(planes, i, out);
     }
+}
+
+template <class Units>
+HWY_INLINE void place_near(const Units& units, std::size_t count, ByteBatch& out) {
+    const auto width = static_cast<std::size_t>(units.t.x1 - units.t.x0);
+    if (width >= 4 * hn::Lanes(DI()) &&
+        fill_rows(units.t, out.places.at.data() + out.size, count))
+        place_rows(units, count, out);
+    else
+        place_anywhere(units, count, out);
 }
 
 void place_exactly(const Triangle& t, const ByteCorners& c, const Shader<std::uint32_t>& s,
@@ -125,11 +168,11 @@ void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint
         return u < s.units && !c.choose_level[u] ? Near(t, reach, c, s.unit[u], u) : Near();
     };
     const std::array<Near, lane_units> near{near_of(0), near_of(1)};
-    if (near[0].usable && near[1].usable) return place_both(t, c, s, near, count, out);
+    if (near[0].usable && near[1].usable) return place_near(BothUnits{{t, c, s, near, 0, 2}}, count, out);
     for (std::size_t u = 0; u < s.units; ++u) {
         if (c.choose_level[u]) continue;
         if (near[u].usable)
-            place_one(t, c, s, u, near[u].planes, count, out);
+            place_near(OneUnit{{t, c, s, near, u, u + 1}}, count, out);
         else
             place_exactly(t, c, s, u, count, out);
     }

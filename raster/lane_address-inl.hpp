@@ -161,38 +161,11 @@ HWY_INLINE Footprint8 in_bytes(const Footprint<D>& f) {
     return {f.offset, hn::Or(weight(f.a), hn::ShiftLeft<16>(weight(f.b)))};
 }
 
-/// 1 / q to 2^-46: from binary32, and a Newton step.
-HWY_INLINE V near_reciprocal(V q) {
-    const D d;
-    const hn::Rebind<float, D> narrow;
-    const V r = hn::PromoteTo(d, hn::Div(hn::Set(narrow, 1.0f), hn::DemoteTo(narrow, q)));
-    return hn::Mul(r, hn::Sub(hn::Set(d, 2.0), hn::Mul(q, r)));
-}
-
 /// Whether a unit's coordinates may be found by reciprocals.
 inline bool knows_reciprocals(const Unit<std::uint32_t>& unit) {
     return unit.divide_by_q && !unit.in_texels && unit.wrap_s == Wrap::clamp_to_edge &&
            unit.wrap_t == Wrap::clamp_to_edge && unit.image.width <= 4096 &&
            unit.image.height <= 4096;
-}
-
-/// Footprints of a full vector of fragments.
-struct Footprints {
-    VI offset, weights;
-};
-
-/// The footprints at places in 1/256 texel, floored, from where the lesser texel of a footprint is
-/// texel (0, 0); CLAMP_TO_EDGE.
-HWY_INLINE Footprints footprints_at(const Image<std::uint32_t>& image, VI x, VI y) {
-    const DI di;
-    const auto held = [&](VI v, int size) HWY_ATTR {
-        return hn::Min(hn::Max(v, hn::Zero(di)), hn::Set(di, 256 * (size - 1)));
-    };
-    const VI ix = held(x, image.width), iy = held(y, image.height), low = hn::Set(di, 255);
-    const VI line = hn::Mul(hn::ShiftRight<8>(iy), hn::Set(di, image.stride));
-    const VI first = hn::Set(di, image.stride + 1);
-    return {hn::Add(hn::Add(line, hn::ShiftRight<8>(ix)), first),
-            hn::Or(hn::And(ix, low), hn::ShiftLeft<16>(hn::And(iy, low)))};
 }
 
 }  // namespace

@@ -153,20 +153,22 @@ HWY_INLINE NearFootprints near_footprints(const Unit<std::uint32_t>& unit, std::
     const D d;
     const auto [image, linear] = read_image(unit, number);
     const double to_centre = linear ? 128.0 : 0.0;
-    const auto scaled = [&](V place, int size, int base) HWY_ATTR {
+    const auto scaled = [&](const Two& places, int size, int base) HWY_ATTR {
         const double ratio = static_cast<double>(size) / base;
         const double shift = unit.shift[0] * ratio - to_centre;
-        return fixed(hn::Add(hn::Mul(place, hn::Set(d, ratio)), hn::Set(d, shift)));
+        const auto place = [&](V v) HWY_ATTR {
+            return hn::Add(hn::Mul(v, hn::Set(d, ratio)), hn::Set(d, shift));
+        };
+        return Two{place(places.low), place(places.high)};
     };
-    const auto u_low = scaled(point.u.low, image.width, unit.image.width);
-    const auto u_high = scaled(point.u.high, image.width, unit.image.width);
-    const auto v_low = scaled(point.v.low, image.height, unit.image.height);
-    const auto v_high = scaled(point.v.high, image.height, unit.image.height);
-    Footprints f = footprints_at(image, floors(u_low, u_high), floors(v_low, v_high));
+    const NearImage near(image);
+    const VI x = near.x.units(scaled(point.u, image.width, unit.image.width));
+    const VI y = near.y.units(scaled(point.v, image.height, unit.image.height));
+    Footprints f = near.footprints(x, y);
     const auto first = static_cast<std::int32_t>(image.texels - unit.image.texels);
     f.offset = hn::Add(f.offset, hn::Set(di, first));
     if (!linear) f.weights = hn::Zero(di);
-    return {f, hn::Or(in_doubt(u_low, u_high), in_doubt(v_low, v_high))};
+    return {f, hn::Or(in_doubt(x), in_doubt(y))};
 }
 
 /// Footprints of each fragment in its image.

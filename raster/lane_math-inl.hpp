@@ -54,12 +54,6 @@ HWY_INLINE V at(const Plane& p, V x, V y) {
                    hn::Add(hn::Mul(x, hn::Set(d, p.dx)), hn::Mul(y, hn::Set(d, p.dy))));
 }
 
-/// A number below 2^31 in magnitude rounded to units of 2^-19, in the lower bits of a word, and one
-/// unit more.
-HWY_INLINE hn::Vec<U> fixed(V x) {
-    return hn::BitCast(U(), hn::Add(x, hn::Set(D(), 0x1.8p33 + 0x1p-19)));
-}
-
 /// The lower halves of the words of two vectors.
 HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
     const DI di;
@@ -70,16 +64,10 @@ HWY_INLINE VI lower_halves(hn::Vec<U> low, hn::Vec<U> high) {
 #endif
 }
 
-/// Whether the floors of two vectors of such numbers could be others' that are within 2^-21 of
-/// them.
-HWY_INLINE hn::Mask<DI> in_doubt(hn::Vec<U> low, hn::Vec<U> high) {
-    const DI di;
-    return hn::Eq(hn::And(lower_halves(low, high), hn::Set(di, 0x7fffe)), hn::Zero(di));
-}
-
-/// The floors of two vectors of such numbers that are not in doubt.
-HWY_INLINE VI floors(hn::Vec<U> low, hn::Vec<U> high) {
-    return lower_halves(hn::ShiftRight<19>(low), hn::ShiftRight<19>(high));
+/// a b, both from 0 to 2^15 - 1. SSE2's vectors have their own.
+template <class T>
+HWY_INLINE T small_product(T a, T b) {
+    return hn::Mul(a, b);
 }
 
 /// compare() of fragment_ops.hpp.

@@ -18,6 +18,72 @@ namespace twofold::lanes {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// 1 / q to 2^-46: from binary32, and a Newton step.
+HWY_INLINE V near_reciprocal(V q) {
+    const D d;
+    const hn::Rebind<float, D> narrow;
+    const V r = hn::PromoteTo(d, hn::Div(hn::Set(narrow, 1.0f), hn::DemoteTo(narrow, q)));
+    return hn::Mul(r, hn::Sub(hn::Set(d, 2.0), hn::Mul(q, r)));
+}
+
+/// Footprints of a full vector of fragments.
+struct Footprints {
+    VI offset, weights;
+};
+
+/// One axis of an image of at most 4096 texels: places near those of the reference, in 1/256 texel,
+/// from where the lesser texel of a footprint is texel 0; CLAMP_TO_EDGE.
+class NearAxis {
+  public:
+    HWY_INLINE explicit NearAxis(int size) : most_(hn::Set(D(), 256.0 * (size - 1) + beside)) {}
+
+    /// In units of 2^-12, and one unit more.
+    HWY_INLINE VI units(const Two& places) const {
+        const auto word = [this](V place) HWY_ATTR {
+            const V held = hn::Min(hn::Max(place, hn::Set(D(), beside)), most_);
+            return hn::BitCast(U(), hn::Add(held, hn::Set(D(), 0x1.8p40 + unit)));
+        };
+        return lower_halves(word(places.low), word(places.high));
+    }
+
+  private:
+    static constexpr double unit = 0x1p-12;
+    /// Limits stand so much above the steps at the ends, whose texels they give without doubt.
+    static constexpr double beside = 2 * unit;
+    V most_;
+};
+
+/// Whether the texels and weights of such units could be others' by places within 2^-13 of them.
+HWY_INLINE hn::Mask<DI> in_doubt(VI units) {
+    const DI di;
+    return hn::Eq(hn::And(units, hn::Set(di, 0xffe)), hn::Zero(di));
+}
+
+/// An image, prepared once for all vectors.
+struct NearImage {
+    NearAxis x, y;
+    VI stride, first;
+
+    HWY_INLINE explicit NearImage(const Image<std::uint32_t>& image)
+        : x(image.width),
+          y(image.height),
+          stride(hn::Set(DI(), image.stride)),
+          first(hn::Set(DI(), image.stride + 1)) {}
+
+    /// The footprints at places in NearAxis's units.
+    HWY_INLINE Footprints footprints(VI ux, VI uy) const {
+        const DI di;
+        const hn::RebindToUnsigned<DI> du;
+        const auto x_units = hn::BitCast(du, ux), y_units = hn::BitCast(du, uy);
+        const VI column = hn::BitCast(di, hn::ShiftRight<20>(x_units));
+        const VI line = hn::BitCast(di, hn::ShiftRight<20>(y_units));
+        const auto a = hn::And(hn::ShiftRight<12>(x_units), hn::Set(du, 0xff));
+        const auto b = hn::And(hn::ShiftLeft<4>(y_units), hn::Set(du, 0xff0000));
+        return {hn::Add(hn::Add(small_product(line, stride), column), first),
+                hn::BitCast(di, hn::Or(a, b))};
+    }
+};
+
 HWY_INLINE VI column_of(VI at) { return hn::And(at, hn::Set(DI(), tile_edge - 1)); }
 HWY_INLINE VI row_of(VI at) { return hn::ShiftRight<tile_edge_bits>(at); }
 

@@ -25,8 +25,7 @@ struct Texels8 {
 
 HWY_INLINE Texels8 unpacked(hn::Vec<U32> t) {
     const auto low = hn::Set(U32(), 0x00ff00ffu);
-    return {hn::BitCast(U16(), hn::And(t, low)),
-            hn::BitCast(U16(), hn::And(hn::ShiftRight<8>(t), low))};
+    return {hn::BitCast(U16(), hn::And(t, low)), hn::ShiftRight<8>(hn::BitCast(U16(), t))};
 }
 
 HWY_INLINE hn::Vec<U32> repacked(const Texels8& t) {
@@ -40,10 +39,10 @@ HWY_INLINE Bytes flerp16(Bytes p, Bytes q, Bytes w) {
     return hn::ShiftRight<8>(hn::Add(moved, hn::Set(U16(), 128)));
 }
 
-/// mul_rn() of byte_arithmetic.hpp.
+/// mul_rn() of byte_arithmetic.hpp: t + t / 256 over 256 is 257 t over 65536.
 HWY_INLINE Bytes mul_rn16(Bytes a, Bytes b) {
     const auto t = hn::Add(hn::Mul(a, b), hn::Set(U16(), 128));
-    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
+    return hn::MulHigh(t, hn::Set(U16(), 257));
 }
 
 HWY_INLINE Texels8 gathered(const std::uint32_t* base, hn::Vec<S32> at) {
@@ -56,20 +55,42 @@ struct Pairs {
 };
 
 using U64 = hn::Repartition<std::uint64_t, U32>;
-using S64 = hn::RebindToSigned<U64>;
-
-/// Two texels are read at once: half as many loads.
-HWY_INLINE Pairs pairs_at(const std::uint32_t* base, hn::Vec<S64> low, hn::Vec<S64> high) {
-    const U32 d;
-    const auto* const words = reinterpret_cast<const std::uint64_t*>(base);
-    const auto l = hn::BitCast(d, hn::GatherOffset(U64(), words, low));
-    const auto h = hn::BitCast(d, hn::GatherOffset(U64(), words, high));
-    return {unpacked(hn::ConcatEven(d, h, l)), unpacked(hn::ConcatOdd(d, h, l))};
-}
 
 /// A weight of 16 bits for both halves of a word.
 HWY_INLINE Bytes for_both(hn::Vec<U32> weight) {
     return hn::BitCast(U16(), hn::Or(weight, hn::ShiftLeft<16>(weight)));
+}
+
+// SSE2's vectors have their own of these three, and no GatherOffset.
+
+/// Words of two texels, from as many places as there are 32-bit lanes.
+template <class T>
+HWY_INLINE std::array<hn::Vec<T>, 2> words_at(T, const std::uint32_t* texels,
+                                              const std::int32_t* at) {
+    const hn::Half<S32> half;
+    const hn::RebindToSigned<T> places;
+    const auto* const words = reinterpret_cast<const std::uint64_t*>(texels);
+    const auto bytes = hn::ShiftLeft<2>(hn::LoadU(S32(), at));
+    return {GatherOffset(T(), words, hn::PromoteTo(places, hn::LowerHalf(half, bytes))),
+            GatherOffset(T(), words, hn::PromoteTo(places, hn::UpperHalf(half, bytes)))};
+}
+
+/// A weight in the lower half of each word, for both halves, and one in the upper half.
+template <class V32>
+HWY_INLINE Bytes lower_for_both(V32 v) {
+    return for_both(hn::And(v, hn::Set(U32(), 0xffffu)));
+}
+template <class V32>
+HWY_INLINE Bytes upper_for_both(V32 v) {
+    return for_both(hn::ShiftRight<16>(v));
+}
+
+/// Two texels are read at once: half as many loads.
+HWY_INLINE Pairs pairs_at(const std::uint32_t* texels, const std::int32_t* at) {
+    const U32 d;
+    const auto [low, high] = words_at(U64(), texels, at);
+    const auto l = hn::BitCast(d, low), h = hn::BitCast(d, high);
+    return {unpacked(hn::ConcatEven(d, h, l)), unpacked(hn::ConcatOdd(d, h, l))};
 }
 
 HWY_INLINE Texels8 flerp16(const Texels8& p, const Texels8& q, Bytes w) {
@@ -77,24 +98,18 @@ HWY_INLINE Texels8 flerp16(const Texels8& p, const Texels8& q, Bytes w) {
 }
 
 /// Nv17::filter on all four channels.
-HWY_INLINE Texels8 filtered(const Image<std::uint32_t>& image, hn::Vec<S32> at,
+HWY_INLINE Texels8 filtered(const Image<std::uint32_t>& image, const std::int32_t* at,
                             hn::Vec<U32> weights) {
-    const Bytes a = for_both(hn::And(weights, hn::Set(U32(), 0xffffu)));
-    const Bytes b = for_both(hn::ShiftRight<16>(weights));
-    const hn::Half<S32> half;
-    const auto bytes = hn::ShiftLeft<2>(at);
-    const auto at_low = hn::PromoteTo(S64(), hn::LowerHalf(half, bytes));
-    const auto at_high = hn::PromoteTo(S64(), hn::UpperHalf(half, bytes));
-    const Pairs top = pairs_at(image.texels, at_low, at_high);
-    const Pairs next = pairs_at(image.texels + image.stride, at_low, at_high);
+    const Bytes a = lower_for_both(weights), b = upper_for_both(weights);
+    const Pairs top = pairs_at(image.texels, at), next = pairs_at(image.texels + image.stride, at);
     return flerp16(flerp16(top.left, top.right, a), flerp16(next.left, next.right, a), b);
 }
 
 /// The texels at the footprints of the fragments from i on.
 HWY_INLINE Texels8 filtered(const Unit<std::uint32_t>& unit, const ByteFootprints& footprints,
                             std::size_t i) {
-    const auto at = hn::LoadU(S32(), footprints.offset.data() + i);
-    if (!reads_four(unit)) return gathered(unit.image.texels, at);
+    const std::int32_t* const at = footprints.offset.data() + i;
+    if (!reads_four(unit)) return gathered(unit.image.texels, hn::LoadU(S32(), at));
     return filtered(unit.image, at, hn::LoadU(U32(), footprints.weights.data() + i));
 }
 

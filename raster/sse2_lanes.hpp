@@ -163,6 +163,11 @@ template <class T, std::size_t N>
 HWY_INLINE Vector<T, N> Mul(Vector<T, N> a, Vector<T, N> b) {
     return {as<T>(as<Wrapping<T>>(a.raw) * as<Wrapping<T>>(b.raw))};
 }
+/// small_product() of lane_math-inl.hpp: the upper halves are 0.
+HWY_INLINE Vector<std::int32_t, 4> small_product(Vector<std::int32_t, 4> a,
+                                                 Vector<std::int32_t, 4> b) {
+    return from_ints<Vector<std::int32_t, 4>>(_mm_madd_epi16(ints(a), ints(b)));
+}
 template <class V>
 HWY_INLINE V Div(V a, V b) {
     return {a.raw / b.raw};
@@ -170,6 +175,10 @@ HWY_INLINE V Div(V a, V b) {
 template <class V>
 HWY_INLINE V Neg(V a) {
     return {-a.raw};
+}
+HWY_INLINE Vector<std::uint16_t, 8> MulHigh(Vector<std::uint16_t, 8> a,
+                                            Vector<std::uint16_t, 8> b) {
+    return from_ints<Vector<std::uint16_t, 8>>(_mm_mulhi_epu16(ints(a), ints(b)));
 }
 HWY_INLINE Vector<double, 2> Sqrt(Vector<double, 2> a) { return {_mm_sqrt_pd(a.raw)}; }
 
@@ -207,6 +216,28 @@ HWY_INLINE Vector<T, N> Floor(Vector<T, N> x) {
 /// For |x| < 2^31. A zero is +0.
 HWY_INLINE Vector<double, 2> Trunc(Vector<double, 2> x) {
     return {_mm_cvtepi32_pd(_mm_cvttpd_epi32(x.raw))};
+}
+
+// ------------------------------------------------------------------------ texels (shade_lanes.cpp)
+
+HWY_INLINE std::array<Vector<std::uint64_t, 2>, 2> words_at(Tag<std::uint64_t, 2>,
+                                                            const std::uint32_t* texels,
+                                                            const std::int32_t* at) {
+    const auto word = [&](std::size_t i) {
+        return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(texels + at[i]));
+    };
+    const auto two = [&](std::size_t i) {
+        return from_ints<Vector<std::uint64_t, 2>>(_mm_unpacklo_epi64(word(i), word(i + 1)));
+    };
+    return {two(0), two(2)};
+}
+HWY_INLINE Vector<std::uint16_t, 8> lower_for_both(Vector<std::uint32_t, 4> v) {
+    return from_ints<Vector<std::uint16_t, 8>>(
+        _mm_shufflehi_epi16(_mm_shufflelo_epi16(ints(v), 0xa0), 0xa0));
+}
+HWY_INLINE Vector<std::uint16_t, 8> upper_for_both(Vector<std::uint32_t, 4> v) {
+    return from_ints<Vector<std::uint16_t, 8>>(
+        _mm_shufflehi_epi16(_mm_shufflelo_epi16(ints(v), 0xf5), 0xf5));
 }
 
 // ----------------------------------------------------------------------------- parts, conversions

@@ -183,16 +183,5 @@ template <class T, std::size_t N>
 HWY_INLINE T GetLane(Vector<T, N> v) {
     return v.raw[0];
 }
-/// Places in bytes.
-HWY_INLINE Vector<std::uint64_t, 2> GatherOffset(Tag<std::uint64_t, 2>, const std::uint64_t* base,
-                                                 Vector<std::int64_t, 2> at) {
-    const auto* const bytes = reinterpret_cast<const char*>(base);
-    const auto word = [bytes](std::int64_t offset) {
-        return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes + offset));
-    };
-    return from_ints<Vector<std::uint64_t, 2>>(
-        _mm_unpacklo_epi64(word(at.raw[0]), word(at.raw[1])));
-}
-
 // NOLINTEND(readability-identifier-naming)
 }  // namespace twofold::lanes::sse2
