@@ -132,7 +132,7 @@ void place_rows(const Units& units, std::size_t count, ByteBatch& out) {
 }
 
 template <class Units>
-HWY_INLINE void place_anywhere(const Units& units, std::size_t count, ByteBatch& out) {
+void place_anywhere(const Units& units, std::size_t count, ByteBatch& out) {
     const DI di;
     for (std::size_t i = out.size; i < out.size + count; i += hn::Lanes(di)) {
         const VI at = hn::LoadU(di, out.places.at.data() + i);
