@@ -2,7 +2,8 @@
 
 WORK radiance: the sum of equation (1) over FOLDER/lights (x y z r g b) at FOLDER/views (n v), for
 the Cook-Torrance material of bench_factor; writes FOLDER/radiance. WORK lsmr or qmr N: N iterations
-on the system in FOLDER. Prints the least processor time in seconds; exits with 77 where they are
+on the system in FOLDER, its rows of samples shuffled, as directions are drawn; with a third word
+"ordered", as they lie there. Prints the least processor time in seconds; exits with 77 where they are
 not installed.
 """
 
@@ -66,7 +67,12 @@ def system():
     starts, columns = read("starts", np.uint64).astype(np.int32), read("columns", np.int32)
     width = int(read("width", np.uint64)[0])
     b = read("right_side")
-    return sparse.csr_matrix((read("values"), columns, starts), (len(b), width)), b
+    a = sparse.csr_matrix((read("values"), columns, starts), (len(b), width))
+    if sys.argv[4:] == ["ordered"]:
+        return a, b
+    order, samples = np.arange(len(b)), int(read("samples", np.uint64)[0])
+    np.random.default_rng(1).shuffle(order[:samples])
+    return a[order], b[order]
 
 
 if work == "radiance":
