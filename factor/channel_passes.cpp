@@ -1,5 +1,6 @@
 #include "factor/channel_passes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -109,41 +110,36 @@ void add_part(PassKind kind, const SamplePart& part, const ChannelLanes* x,
     }
 }
 
-/// The same for a row of the regulariser, whose weight is 1 and right side 0.
-ChannelLanes residual_of(PassKind kind, const ChannelLanes& product, const ChannelLanes& keep,
-                         const ChannelLanes& u) {
-    switch (kind) {
-        case PassKind::right_side:
-            break;
-        case PassKind::normal:
-            return product;
-        case PassKind::gradient:
-        case PassKind::start:
-            return ChannelLanes{} - product;
-        case PassKind::step:
-            return product - keep * u;
-    }
-    return {};
+/// The rows of the regulariser, whose weight is 1 and right side 0, and what a pass over them reads
+/// and writes.
+struct RestPart {
+    const SparseMatrix& rows;
+    ChannelLanes* sums;     ///< over the columns
+    ChannelLanes* u;        ///< of these rows, where the pass sets it
+    ChannelLanes* squares;  ///< of u, a sum of each 256 rows
+};
+
+/// r of a row, from its product with x.
+[[gnu::always_inline]] inline ChannelLanes residual_of(PassKind kind, const ChannelLanes& product,
+                                                       const ChannelLanes& keep,
+                                                       const ChannelLanes* u) {
+    if (kind == PassKind::normal) return product;
+    return kind == PassKind::step ? product - keep * *u : ChannelLanes{} - product;
 }
 
-/// A x of the regulariser.
 TWOFOLD_SIMD_CLONES
-void multiply(const SparseMatrix& regulariser, const ChannelLanes* x, ChannelLanes* product) {
-    for (std::size_t i = 0; i < regulariser.rows(); ++i) {
-        ChannelLanes sum;
-        for (const MatrixEntry& e : regulariser.row(i)) sum += e.value * x[e.column];
-        product[i] = sum;
-    }
-}
-
-/// A^T y of the regulariser.
-TWOFOLD_SIMD_CLONES
-void multiply_transpose(const SparseMatrix& regulariser, const ChannelLanes* y,
-                        ChannelLanes* sums) {
-    for (std::size_t j = 0; j < regulariser.columns(); ++j) {
-        ChannelLanes sum;
-        for (const MatrixEntry& e : regulariser.column(j)) sum += e.value * y[e.column];
-        sums[j] = sum;
+void add_rest(PassKind kind, const RestPart& part, const ChannelLanes* x,
+              const ChannelLanes& keep) {
+    const bool sets_u = part.u != nullptr;
+    for (std::size_t i = 0; i < part.rows.rows(); ++i) {
+        const auto row = part.rows.row(i);
+        ChannelLanes product;
+        for (const MatrixEntry& e : row) product += e.value * x[e.column];
+        const ChannelLanes r = residual_of(kind, product, keep, sets_u ? part.u + i : nullptr);
+        for (const MatrixEntry& e : row) part.sums[e.column] += e.value * r;
+        if (!sets_u) continue;
+        part.u[i] = r;
+        part.squares[i / sum_block] += r * r;
     }
 }
 
@@ -201,7 +197,6 @@ ChannelPasses::ChannelPasses(std::vector<const WeightedSystem*> systems, int thr
       threads_(threads),
       scale_(matrix().columns()),
       x_(matrix().padded_columns()),
-      rest_(matrix().regulariser().rows()),
       rest_columns_(matrix().columns()) {
     const LaneArrays scale = arrays_of(
         systems_, [](const WeightedSystem& s) -> const Vector& { return s.column_scale(); });
@@ -244,10 +239,13 @@ ChannelPasses::Sums ChannelPasses::pass(PassKind kind, const Asked& asked) {
 
 /// D^-1 y of the systems that ask, 0 of the others.
 void ChannelPasses::set_unknowns(const Asked& asked) {
-    const Vector zeros(scale_.size());
-    LaneArrays y{{zeros.data(), zeros.data(), zeros.data()}};
-    for (std::size_t c = 0; c < asked.size(); ++c)
-        if (asked[c] != nullptr) y.channel[c] = asked[c]->x.data();
+    Vector zeros;
+    LaneArrays y{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const bool asks = c < asked.size() && asked[c] != nullptr;
+        if (!asks) zeros.resize(scale_.size());
+        y.channel[c] = asks ? asked[c]->x->data() : zeros.data();
+    }
     divide(y, scale_, x_.data());
 }
 
@@ -281,17 +279,11 @@ ChannelPasses::Sums ChannelPasses::row_pass(PassKind kind, const ChannelLanes& k
 
 /// The pass over the regulariser's rows. @return the squares of its runs of rows
 std::vector<ChannelLanes> ChannelPasses::regulariser_pass(PassKind kind, const ChannelLanes& keep) {
-    const SparseMatrix& regulariser = matrix().regulariser();
-    std::vector<ChannelLanes> squares(sets_rows(kind) ? runs_of(rest_.size()) : 0);
-    multiply(regulariser, x_.data(), rest_.data());
-    for (std::size_t i = 0; i < rest_.size() && kind != PassKind::normal; ++i) {
-        ChannelLanes* u = sets_rows(kind) ? &u_[matrix().samples() + i] : nullptr;
-        rest_[i] = residual_of(kind, rest_[i], keep, u != nullptr ? *u : ChannelLanes{});
-        if (u == nullptr) continue;
-        *u = rest_[i];
-        squares[i / sum_block] += rest_[i] * rest_[i];
-    }
-    multiply_transpose(regulariser, rest_.data(), rest_columns_.data());
+    const SparseMatrix& rows = matrix().regulariser();
+    std::vector<ChannelLanes> squares(sets_rows(kind) ? runs_of(rows.rows()) : 0);
+    ChannelLanes* const u = sets_rows(kind) ? u_.data() + matrix().samples() : nullptr;
+    std::fill(rest_columns_.begin(), rest_columns_.end(), ChannelLanes{});
+    add_rest(kind, {rows, rest_columns_.data(), u, squares.data()}, x_.data(), keep);
     return squares;
 }
 

@@ -34,8 +34,7 @@ class ChannelPasses {
     std::vector<ChannelLanes> scale_;         ///< D
     std::vector<ChannelLanes> x_;             ///< D^-1 y, padded, of the pass
     std::vector<ChannelLanes> u_;             ///< a value a row, once a pass has set it
-    std::vector<ChannelLanes> rest_;          ///< of the pass at the regulariser's rows ...
-    std::vector<ChannelLanes> rest_columns_;  ///< ... and its sums over the columns
+    std::vector<ChannelLanes> rest_columns_;  ///< sums of the regulariser's rows over the columns
 };
 
 }  // namespace twofold

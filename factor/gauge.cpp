@@ -8,6 +8,7 @@
 
 #include "factor/log_matrix.hpp"
 #include "factor/sparse_matrix.hpp"
+#include "factor/vector_arithmetic.hpp"
 #include "texunit/ordered_sum.hpp"
 
 namespace twofold {
@@ -204,6 +205,11 @@ std::vector<SparseVector> Gauge::null_vectors(const Vector& column_scale) const 
 
 Vector without(Vector y, const std::vector<SparseVector>& directions) {
     for (const SparseVector& d : directions) {
+        if (d.index.size() == y.size()) {  // ascending: all of them
+            const double along = dot(d.value, y);
+            y = plus_scaled(std::move(y), -along, d.value);
+            continue;
+        }
         const double along =
             ordered_sum(d.index.size(), [&](std::size_t k) { return d.value[k] * y[d.index[k]]; });
         for (std::size_t k = 0; k < d.index.size(); ++k) y[d.index[k]] += -along * d.value[k];

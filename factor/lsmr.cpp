@@ -1,9 +1,12 @@
 #include "factor/lsmr.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "factor/simd_clones.hpp"
 #include "factor/vector_arithmetic.hpp"
+#include "texunit/ordered_sum.hpp"
 
 namespace twofold {
 
@@ -26,6 +29,31 @@ Vector per_length(PassResult result) {
                                : Vector(result.columns.size(), 0.0);
 }
 
+/// A^T u - |u| v in the place of `sums`, which are |u| times A^T u. @return its length
+[[gnu::flatten]] TWOFOLD_SIMD_CLONES double turn(Vector& sums, double u_length, const Vector& v) {
+    const double divisor = u_length > 0.0 ? u_length : 1.0;
+    if (!(u_length > 0.0)) std::fill(sums.begin(), sums.end(), 0.0);
+    return std::sqrt(ordered_sum(sums.size(), [&](std::size_t i) {
+        sums[i] = sums[i] / divisor + -u_length * v[i];
+        return sums[i] * sums[i];
+    }));
+}
+
+/// The vectors of an iteration, in one go. @param v  alpha v, which becomes v
+TWOFOLD_SIMD_CLONES
+void advance(Vector& v, double alpha, const LsmrSteps& steps, Vector& h, Vector& h_bar, Vector& x) {
+    const double divisor = alpha > 0.0 ? alpha : 1.0;
+    if (!(alpha > 0.0)) std::fill(v.begin(), v.end(), 0.0);
+    double* __restrict const vs = v.data(), * __restrict const hs = h.data();
+    double* __restrict const bars = h_bar.data(), * __restrict const xs = x.data();
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        bars[i] = hs[i] + steps.h_bar * bars[i];
+        xs[i] += steps.x * bars[i];
+        vs[i] /= divisor;
+        hs[i] = vs[i] + steps.h * hs[i];
+    }
+}
+
 /// The passes that LSMR asks for, from a system's products.
 class OperatorPasses {
   public:
@@ -33,7 +61,7 @@ class OperatorPasses {
 
     PassResult make(const RowPass& pass) {
         if (pass.kind == PassKind::right_side) return {a_.apply_transpose(b_)};
-        const Vector product = a_.apply(pass.x);
+        const Vector product = a_.apply(*pass.x);
         if (pass.kind == PassKind::gradient) return {a_.apply_transpose(minus(b_, product))};
         u_ = pass.kind == PassKind::start ? minus(b_, product)
                                           : combined(1.0, product, -pass.keep, std::move(u_));
@@ -55,11 +83,11 @@ std::optional<RowPass> LsmrRun::request() const {
         case Stage::right_side:
             return RowPass{PassKind::right_side};
         case Stage::start:
-            return RowPass{PassKind::start, start_};
+            return RowPass{PassKind::start, &start_};
         case Stage::steps:
-            return RowPass{PassKind::step, v_, u_length_ > 0.0 ? alpha_ / u_length_ : 0.0};
+            return RowPass{PassKind::step, &v_, u_length_ > 0.0 ? alpha_ / u_length_ : 0.0};
         case Stage::end:
-            return RowPass{PassKind::gradient, plus_scaled(start_, 1.0, best_)};
+            return RowPass{PassKind::gradient, &best_};
         case Stage::done:
             break;
     }
@@ -97,25 +125,28 @@ void LsmrRun::begin(PassResult residual) {
     alpha_ = alpha_bar_ = v.length;
     zeta_bar_ = v.length * u_length_;
     h_bar_.assign(v_.size(), 0.0);
-    best_ = correction_ = h_bar_;
+    correction_ = h_bar_;
     stage_ = Stage::steps;
 }
 
 void LsmrRun::step(PassResult result) {
     u_length_ = result.length;
-    Direction v = direction_of(plus_scaled(per_length(std::move(result)), -u_length_, v_));
-    v_ = std::move(v.unit);
-    alpha_ = v.length;
-    advance_solution(u_length_);
+    alpha_ = turn(result.columns, u_length_, v_);
+    const LsmrSteps steps = rotate();
     end_ = progress_->record(std::fabs(zeta_bar_) / scale_);
-    if (progress_->is_best()) best_ = correction_;
-    if (end_) stage_ = Stage::end;
+    if (!progress_->is_best() && best_is_correction_) best_ = correction_;
+    best_is_correction_ = progress_->is_best();
+    v_ = std::move(result.columns);
+    advance(v_, alpha_, steps, h_, h_bar_, correction_);
+    if (!end_) return;
+    best_ = plus_scaled(start_, 1.0, best_is_correction_ ? correction_ : best_);
+    stage_ = Stage::end;
 }
 
-void LsmrRun::advance_solution(double u_length) {
+LsmrSteps LsmrRun::rotate() {
     const double rho_before = rho_;
-    rho_ = std::sqrt(alpha_bar_ * alpha_bar_ + u_length * u_length);
-    const double theta_next = u_length / rho_ * alpha_;
+    rho_ = std::sqrt(alpha_bar_ * alpha_bar_ + u_length_ * u_length_);
+    const double theta_next = u_length_ / rho_ * alpha_;
     alpha_bar_ = alpha_bar_ / rho_ * alpha_;
 
     const double rho_bar_before = rho_bar_;
@@ -126,17 +157,14 @@ void LsmrRun::advance_solution(double u_length) {
     s_bar_ = theta_next / rho_bar_;
     const double zeta = c_bar_ * zeta_bar_;
     zeta_bar_ = -s_bar_ * zeta_bar_;
-
-    h_bar_ =
-        combined(1.0, h_, -(theta_bar * rho_ / (rho_before * rho_bar_before)), std::move(h_bar_));
-    correction_ = plus_scaled(std::move(correction_), zeta / (rho_ * rho_bar_), h_bar_);
-    h_ = combined(1.0, v_, -(theta_next / rho_), std::move(h_));
+    return {-(theta_bar * rho_ / (rho_before * rho_bar_before)), zeta / (rho_ * rho_bar_),
+            -(theta_next / rho_)};
 }
 
 void LsmrRun::finish(double true_residual) {
     stage_ = Stage::done;
     if (progress_->prefers(true_residual, start_residual_)) {
-        solution_ = {plus_scaled(start_, 1.0, best_),
+        solution_ = {std::move(best_),
                      progress_->report(*end_, progress_->iterations(), true_residual)};
         return;
     }

@@ -16,6 +16,11 @@ namespace twofold {
 Solution solve_lsmr(const RectangularOperator& a, const Vector& b, const Vector& start,
                     const StopRule& rule);
 
+/// How far an iteration goes along its directions.
+struct LsmrSteps {
+    double h_bar, x, h;
+};
+
 /// The same as a run that asks for its passes over the rows, one at a time.
 class LsmrRun {
   public:
@@ -31,16 +36,17 @@ class LsmrRun {
     void begin(PassResult residual);
     void step(PassResult result);
     void finish(double true_residual);
-    void advance_solution(double u_length);
+    LsmrSteps rotate();
 
     Stage stage_ = Stage::right_side;
     Vector start_;
     StopRule rule_;
     std::optional<Progress> progress_;
     std::optional<SolverStatus> end_;
-    double scale_ = 0.0;           ///< |A^T b|
-    double start_residual_ = 0.0;  ///< relative
-    Vector best_;                  ///< what is added to the start
+    double scale_ = 0.0;              ///< |A^T b|
+    double start_residual_ = 0.0;     ///< relative
+    Vector best_;                     ///< what is added to the start, and at the end that sum ...
+    bool best_is_correction_ = true;  ///< ... unless it is the last correction
     Solution solution_;
 
     // Golub-Kahan bidiagonalisation and the two plane rotations of LSMR, names as in the paper. The

@@ -40,12 +40,14 @@ QmrRun::QmrRun(double magnitude, bool symmetric, const Vector& b, const Vector& 
     x_ = times_power_of_two(start, -solution_exponent_);
 }
 
-Vector QmrRun::argument() const {
+const Vector& QmrRun::argument() {
     const Vector& x = stage_ == Stage::product     ? p_
                       : stage_ == Stage::transpose ? q_
                       : stage_ == Stage::end       ? best_
                                                    : x_;
-    return matrix_exponent_ == 0 ? x : times_power_of_two(x, -(matrix_exponent_ / 2));
+    if (matrix_exponent_ == 0) return x;
+    argument_ = times_power_of_two(x, -(matrix_exponent_ / 2));
+    return argument_;
 }
 
 Vector QmrRun::scaled_back(Vector product) const {
@@ -187,10 +189,10 @@ class NormalRun {
     NormalRun(const Vector& start, double magnitude, const StopRule& rule)
         : start_(start), magnitude_(magnitude), rule_(rule) {}
 
-    std::optional<RowPass> request() const {
+    std::optional<RowPass> request() {
         if (!run_) return RowPass{PassKind::right_side};
         if (run_->ended()) return std::nullopt;
-        return RowPass{PassKind::normal, run_->argument()};
+        return RowPass{PassKind::normal, &run_->argument()};
     }
     void take(PassResult result) {
         if (run_)

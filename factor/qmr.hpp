@@ -43,7 +43,7 @@ class QmrRun {
            const StopRule& rule);
 
     bool ended() const { return stage_ == Stage::done; }
-    Vector argument() const;  ///< of the product that is wanted ...
+    const Vector& argument();  ///< of the product that is wanted, until it is taken ...
     bool transposed() const { return stage_ == Stage::transpose; }  ///< ... with A^T or with A
     void take(Vector product);
     Solution solution();
@@ -78,7 +78,7 @@ class QmrRun {
     double start_residual_ = 0.0;  ///< relative
     SolverStatus status_ = SolverStatus::converged;
     int iteration_ = 0;
-    Vector best_;
+    Vector best_, argument_;
     Solution solution_;
 
     // The coupled two-term recurrences; names as in Templates, figure 2.8, with V and W the

@@ -21,7 +21,7 @@ enum class PassKind {
 
 struct RowPass {
     PassKind kind = PassKind::right_side;
-    Vector x{};
+    const Vector* x = nullptr;  ///< until the result is taken
     double keep = 0.0;
 };
 
