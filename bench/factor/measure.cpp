@@ -22,7 +22,7 @@
 namespace twofold::bench {
 namespace {
 
-constexpr int light_count = 2048, sampled_views = 2000, solved_samples = 100000, iterations = 40;
+constexpr int light_count = 2048, sampled_views = 2000, fitted_samples = 100000, iterations = 40;
 
 const CookTorrance material{Rgb(0.3), Rgb(0.7), Rgb(0.04), {{0.2, 1.0}}};
 
@@ -178,9 +178,9 @@ std::vector<FactorFigure> measure_sampling(const Peer& peer) {
 }
 
 std::vector<FactorFigure> measure_solvers(const Peer& peer) {
-    const FactorSettings settings = settings_of(32);
-    FitSamples fit(settings, solved_samples);
-    fit.add(cheap_samples(solved_samples), 1);
+    const FactorSettings settings;
+    FitSamples fit(settings, static_cast<std::size_t>(settings.samples));
+    fit.add(cheap_samples(settings.samples), 1);
     auto [left, radiance] = std::move(fit).parts();
     std::array<ChannelRows, 3> right;
     std::vector<WeightedSystem> systems;
@@ -213,9 +213,9 @@ std::vector<FactorFigure> measure_solvers(const Peer& peer) {
             figures.push_back(
                 against(work, ours.cpu / 3.0, theirs, 1e-3 * iterations, "ms", required));
         };
-        against_peer("",
-                     fmt::format("{}: an iteration of a channel, {} samples", name, solved_samples),
-                     least);
+        against_peer(
+            "", fmt::format("{}: an iteration of a channel, {} samples", name, settings.samples),
+            least);
         against_peer(" ordered", "the same, SciPy's rows in our order", std::nullopt);
     }
     return figures;
@@ -253,7 +253,7 @@ std::vector<FactorFigure> measure_threads() {
     std::array<std::vector<Rgb>, 2> radiance;
     std::array<double, 2> sampling{}, fitting{};
     std::array<Fitted, 2> fitted;
-    const LightingSamples samples = cheap_samples(solved_samples);
+    const LightingSamples samples = cheap_samples(fitted_samples);
     for (const std::size_t i : {0U, 1U}) {
         const int threads = static_cast<int>(i) + 1;
         sampling[i] =
