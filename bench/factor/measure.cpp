@@ -7,6 +7,7 @@
 
 #include "bench/draw/machine.hpp"
 #include "bench/draw/timing.hpp"
+#include "bench/factor/against.hpp"
 #include "bench/factor/own_process.hpp"
 #include "bench/factor/peer.hpp"
 #include "factor/directions.hpp"
@@ -56,19 +57,6 @@ FactorSettings settings_of(int map_size) {
     FactorSettings settings;
     settings.map_size = map_size;
     return settings;
-}
-
-FactorFigure against(std::string work, double ours, std::optional<double> theirs, double units,
-                     const std::string& unit, std::optional<double> least) {
-    const auto each = [&](double seconds) {
-        return fmt::format("{:.3g} {}", seconds / units, unit);
-    };
-    FactorFigure figure{std::move(work), each(ours), "", 0.0, "x", std::nullopt, std::nullopt};
-    if (!theirs) return figure;
-    figure.theirs = each(*theirs);
-    figure.value = *theirs / ours;
-    figure.least = least;
-    return figure;
 }
 
 /// The weighted, scaled matrix B whose products the solvers take, as SciPy reads it.
@@ -197,26 +185,27 @@ std::vector<FactorFigure> measure_solvers(const Peer& peer) {
     for (const auto& [solver, name, least] :
          {std::tuple{Solver::lsmr, "lsmr", 5.0}, {Solver::qmr, "qmr", 8.0}}) {
         int taken = 0;
-        const FrameTimes ours = time_frames(
-            [&, solver = solver] {
-                taken = 0;
-                for (const Solution& s : solve_channels(solver, together, start, rule, 1))
-                    taken += s.report.iterations;
-            },
-            0.5, 3);
+        Rounds drawn, ordered;
+        for (int round = 0; round < 5; ++round) {
+            const FrameTimes ours = time_frames(
+                [&, solver = solver] {
+                    taken = 0;
+                    for (const Solution& s : solve_channels(solver, together, start, rule, 1))
+                        taken += s.report.iterations;
+                },
+                0.5, 3);
+            const std::string work = fmt::format("{} {}", name, iterations);
+            drawn.add(ours.cpu / 3.0, peer_seconds(peer, work));
+            ordered.add(ours.cpu / 3.0, peer_seconds(peer, work + " ordered"));
+        }
         if (taken != 3 * iterations)
             throw Error(ExitCode::failure,
                         fmt::format("bench_factor: {} ended after {}", name, taken));
-        const auto against_peer = [&](const char* rows, const std::string& work,
-                                      std::optional<double> required) {
-            const auto theirs = peer_seconds(peer, fmt::format("{} {}{}", name, iterations, rows));
-            figures.push_back(
-                against(work, ours.cpu / 3.0, theirs, 1e-3 * iterations, "ms", required));
-        };
-        against_peer(
-            "", fmt::format("{}: an iteration of a channel, {} samples", name, settings.samples),
-            least);
-        against_peer(" ordered", "the same, SciPy's rows in our order", std::nullopt);
+        figures.push_back(drawn.against_peer(
+            fmt::format("{}: an iteration of a channel, {} samples", name, settings.samples),
+            1e-3 * iterations, "ms", least));
+        figures.push_back(ordered.against_peer("the same, SciPy's rows in our order",
+                                               1e-3 * iterations, "ms", std::nullopt));
     }
     return figures;
 }
