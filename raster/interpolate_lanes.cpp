@@ -43,24 +43,23 @@ Divisions divisions_of(const Near& a, const Near& b) {
     return a.moderate && b.moderate ? Divisions::product : Divisions::each;
 }
 
-/// Units that are placed by linear numbers and 1/q, prepared once for a triangle.
+/// A triangle's units that are placed by linear numbers and 1/q.
 struct Placing {
     const Triangle& t;
     const ByteCorners& c;
     const Shader<std::uint32_t>& s;
     const std::array<Near, lane_units>& near;
     std::size_t begin, end;  ///< of the units
-    std::array<NearImage, lane_units> image{NearImage(s.unit[0].image), NearImage(s.unit[1].image)};
-    Divisions divisions = divisions_of(near[0], near[1]);
 
     /// Footprints of unit u where no doubt is left, else as the reference finds them.
+    /// @param planes  planes(unit, k): plane k of Near at the fragments from i on
     template <class Planes>
-    HWY_INLINE void place(std::size_t u, const Planes& planes, const Two& over_q, std::size_t i,
-                          ByteBatch& out) const {
-        const VI x = image[u].x.units(product(planes(u, Near::x), over_q));
-        const VI y = image[u].y.units(product(planes(u, Near::y), over_q));
+    HWY_INLINE void place(std::size_t u, const NearImage& image, const Planes& planes,
+                          const Two& over_q, std::size_t i, ByteBatch& out) const {
+        const VI x = image.x.units(product(planes(u, Near::x), over_q));
+        const VI y = image.y.units(product(planes(u, Near::y), over_q));
         if (HWY_LIKELY(hn::AllFalse(DI(), hn::Or(in_doubt(x), in_doubt(y)))))
-            store(image[u].footprints(x, y), u, i, out);
+            store(image.footprints(x, y), u, i, out);
         else
             store(footprints_by_division(t, c, s, u, out.places.at.data() + i), u, i, out);
     }
@@ -70,8 +69,27 @@ HWY_INLINE Two reciprocal(const Two& q) {
     return {near_reciprocal(q.low), near_reciprocal(q.high)};
 }
 
+struct OneUnit : Placing {
+    NearImage image;
+
+    HWY_INLINE explicit OneUnit(const Placing& p) : Placing(p), image(s.unit[begin].image) {}
+
+    template <class Planes>
+    HWY_INLINE void operator()(const Planes& planes, std::size_t i, ByteBatch& out) const {
+        place(begin, image, planes, reciprocal(planes(begin, Near::q)), i, out);
+    }
+};
+
 struct BothUnits : Placing {
-    /// @param planes  planes(unit, k): plane k of Near at the fragments from i on
+    NearImage image0, image1;
+    Divisions divisions;
+
+    HWY_INLINE explicit BothUnits(const Placing& p)
+        : Placing(p),
+          image0(s.unit[0].image),
+          image1(s.unit[1].image),
+          divisions(divisions_of(near[0], near[1])) {}
+
     template <class Planes>
     HWY_INLINE void operator()(const Planes& planes, std::size_t i, ByteBatch& out) const {
         const Two q = planes(0, Near::q);
@@ -86,15 +104,8 @@ struct BothUnits : Placing {
             over0 = product(over, q1);
             over1 = product(over, q);
         }
-        place(0, planes, over0, i, out);
-        place(1, planes, over1, i, out);
-    }
-};
-
-struct OneUnit : Placing {
-    template <class Planes>
-    HWY_INLINE void operator()(const Planes& planes, std::size_t i, ByteBatch& out) const {
-        place(begin, planes, reciprocal(planes(begin, Near::q)), i, out);
+        place(0, image0, planes, over0, i, out);
+        place(1, image1, planes, over1, i, out);
     }
 };
 
@@ -105,8 +116,8 @@ bool fill_rows(const Triangle& t, const std::int32_t* at, std::size_t count) {
     return static_cast<int>(count) == rows * (t.x1 - t.x0);
 }
 
-/// Fragments that fill rows: what y gives to a plane is found once a row. The vectors at the ends of
-/// rows reach into the next.
+/// Fragments that fill rows: what y gives to a plane is found once a row. A vector at the end of a
+/// row reaches behind it, where the next row's overwrite what it wrote.
 template <class Units>
 void place_rows(const Units& units, std::size_t count, ByteBatch& out) {
     const D d;
@@ -148,8 +159,7 @@ void place_anywhere(const Units& units, std::size_t count, ByteBatch& out) {
 template <class Units>
 HWY_INLINE void place_near(const Units& units, std::size_t count, ByteBatch& out) {
     const auto width = static_cast<std::size_t>(units.t.x1 - units.t.x0);
-    if (width >= 4 * hn::Lanes(DI()) &&
-        fill_rows(units.t, out.places.at.data() + out.size, count))
+    if (width >= 4 * hn::Lanes(DI()) && fill_rows(units.t, out.places.at.data() + out.size, count))
         place_rows(units, count, out);
     else
         place_anywhere(units, count, out);
@@ -168,11 +178,12 @@ void place_bytes(const Triangle& t, const ByteCorners& c, const Shader<std::uint
         return u < s.units && !c.choose_level[u] ? Near(t, reach, c, s.unit[u], u) : Near();
     };
     const std::array<Near, lane_units> near{near_of(0), near_of(1)};
-    if (near[0].usable && near[1].usable) return place_near(BothUnits{{t, c, s, near, 0, 2}}, count, out);
+    if (near[0].usable && near[1].usable)
+        return place_near(BothUnits({t, c, s, near, 0, 2}), count, out);
     for (std::size_t u = 0; u < s.units; ++u) {
         if (c.choose_level[u]) continue;
         if (near[u].usable)
-            place_near(OneUnit{{t, c, s, near, u, u + 1}}, count, out);
+            place_near(OneUnit({t, c, s, near, u, u + 1}), count, out);
         else
             place_exactly(t, c, s, u, count, out);
     }
