@@ -204,6 +204,11 @@ FAST = [
            also=("raster/cover_lanes.cpp", "raster/finish_lanes.cpp")),
     raster("fast-quotient", "vectors cut custom's products", "lane_rounding.hpp",
            "0.5 * one + 0.25", "0.25", "rounded_lanes"),
+    raster("full-row", "a full row is placed as the one above it", "interpolate_lanes.cpp",
+           "(out.places.at[i] >> tile_edge_bits) - t.y0;",
+           "(out.places.at[i] >> tile_edge_bits) - t.y0 - 1;", "near_lanes"),
+    raster("byte-product", "a product of bytes is cut on vectors", "shade_lanes.cpp",
+           "hn::Set(U16(), 257)", "hn::Set(U16(), 256)", "near_lanes"),
     Mutant("fast-edge", "vectors leave out what lies on an edge", "raster/cover_lanes.cpp",
            "hn::Gt(e.outside(), hn::Set(d, -1))", "hn::Gt(e.outside(), hn::Zero(d))", ("hashes",)),
 ]
