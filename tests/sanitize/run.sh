@@ -69,7 +69,8 @@ case $tool in
         ;;
     valgrind | valgrind-long)
         build=build/valgrind
-        memcheck=(valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite)
+        memcheck=(valgrind -q --error-exitcode=99 --leak-check=full --show-leak-kinds=definite
+            --errors-for-leak-kinds=definite)
         mkdir -p "$build"
         cmake --preset release -DTWOFOLD_TESTS=ON >/dev/null
         cmake --build --preset release -j "$(nproc)" | tail -n 1
