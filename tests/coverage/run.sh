@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Which lines the tests run: run.sh [LIBRARY ...]. Builds without optimisation in build/coverage, runs all tests,
 # or only test_LIBRARY of each library named, and prints the share of lines of each folder, then those that
-# nothing ran. All of it takes some tens of minutes.
+# nothing ran. All of it takes hours, because tests tagged [long] take them without optimisation.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 build=build/coverage
