@@ -29,8 +29,9 @@ Vector per_length(PassResult result) {
                                : Vector(result.columns.size(), 0.0);
 }
 
-/// A^T u - |u| v in the place of `sums`, which are |u| times A^T u. @return its length
-[[gnu::flatten]] TWOFOLD_SIMD_CLONES double turn(Vector& sums, double u_length, const Vector& v) {
+/// alpha v of the next iteration, A^T u - beta v of a unit u, in the place of `sums`, which are
+/// beta times A^T u. @param u_length  beta @return alpha
+[[gnu::flatten]] TWOFOLD_SIMD_CLONES double next_v(Vector& sums, double u_length, const Vector& v) {
     const double divisor = u_length > 0.0 ? u_length : 1.0;
     if (!(u_length > 0.0)) std::fill(sums.begin(), sums.end(), 0.0);
     return std::sqrt(ordered_sum(sums.size(), [&](std::size_t i) {
@@ -131,7 +132,7 @@ void LsmrRun::begin(PassResult residual) {
 
 void LsmrRun::step(PassResult result) {
     u_length_ = result.length;
-    alpha_ = turn(result.columns, u_length_, v_);
+    alpha_ = next_v(result.columns, u_length_, v_);
     const LsmrSteps steps = rotate();
     end_ = progress_->record(std::fabs(zeta_bar_) / scale_);
     if (!progress_->is_best() && best_is_correction_) best_ = correction_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "raster/reference.hpp"
+#include "raster/renderer.hpp"
 #include "texunit/fnv1a.hpp"
 #include "texunit/paraboloid.hpp"
 #include "texunit/random.hpp"
@@ -111,6 +112,25 @@ inline Texture face_texture(Rgba8 color, int size, double guard) {
             texels.push_back(texel);
         }
     return {size, size, texels};
+}
+
+/// Texels without a pattern, the same for the same width.
+inline std::vector<Rgba8> noise(int width, int height) {
+    std::vector<Rgba8> texels;
+    for (int i = 0; i < width * height; ++i) {
+        const std::uint64_t bits =
+            random_u64(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(i));
+        const auto byte = [bits](int k) { return static_cast<std::uint8_t>(bits >> (8 * k)); };
+        texels.push_back({byte(0), byte(1), byte(2), byte(3)});
+    }
+    return texels;
+}
+
+/// Whether the fast pipeline draws what the reference draws.
+inline bool same_pictures(const Frame& frame, Preset preset) {
+    const Framebuffer fast = render(frame, preset);
+    const Framebuffer reference = render(frame, preset, {}, {Pipeline::reference});
+    return fast.bytes == reference.bytes && fast.values == reference.values;
 }
 
 /// FNV-1a of the displayed bytes, as docs/exactness.md, section 7, lays them out.

@@ -4,24 +4,12 @@
 #include "raster/fast_plan.hpp"
 #include "raster/interpolate.hpp"
 #include "raster/level_bounds.hpp"
-#include "raster/renderer.hpp"
 #include "tests/raster/builders.hpp"
 #include "texunit/presets.hpp"
 
 namespace {
 using namespace twofold;
 using namespace twofold::test;
-
-std::vector<Rgba8> noise(int width, int height) {
-    std::vector<Rgba8> texels;
-    for (int i = 0; i < width * height; ++i) {
-        const std::uint64_t bits =
-            random_u64(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(i));
-        const auto byte = [bits](int k) { return static_cast<std::uint8_t>(bits >> (8 * k)); };
-        texels.push_back({byte(0), byte(1), byte(2), byte(3)});
-    }
-    return texels;
-}
 
 /// Noise in every level, so that no level looks like another.
 Texture noise_with_mipmaps(int width, int height) {
@@ -58,12 +46,6 @@ Frame receding(int size, double times, Texture texture, const TextureUnitState& 
     Frame frame = pixel_frame(size, size, mesh, state);
     frame.textures = {std::move(texture)};
     return frame;
-}
-
-bool same_pictures(const Frame& frame, Preset preset) {
-    const Framebuffer fast = render(frame, preset);
-    const Framebuffer reference = render(frame, preset, {}, {Pipeline::reference});
-    return fast.bytes == reference.bytes && fast.values == reference.values;
 }
 
 std::vector<TextureUnitState> units_of_all_filters() {

@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 
-#include "raster/renderer.hpp"
 #include "raster/vector_width.hpp"
 #include "tests/raster/builders.hpp"
 #include "texunit/presets.hpp"
@@ -8,16 +7,6 @@
 namespace {
 using namespace twofold;
 using namespace twofold::test;
-
-Texture noise(int width, int height) {
-    std::vector<Rgba8> texels;
-    for (int i = 0; i < width * height; ++i) {
-        const std::uint64_t bits = random_u64(7, static_cast<std::uint64_t>(i));
-        const auto byte = [bits](int k) { return static_cast<std::uint8_t>(bits >> (8 * k)); };
-        texels.push_back({byte(0), byte(1), byte(2), byte(3)});
-    }
-    return {width, height, texels};
-}
 
 /// One triangle over the whole picture, so that tiles' rows are full from end to end. Coordinates
 /// leave the texture at all sides; q is the same everywhere, or grows from corner to corner.
@@ -37,14 +26,8 @@ Frame covered(int width, int height, double q1, double q2, int units, Filter fil
         state.units[k]->min_filter = state.units[k]->mag_filter = filter;
     }
     Frame frame = pixel_frame(width, height, cover(width, height, q1, q2), state);
-    frame.textures = {noise(64, 32), noise(16, 128)};
+    frame.textures = {{64, 32, noise(64, 32)}, {16, 128, noise(16, 128)}};
     return frame;
-}
-
-bool same_pictures(const Frame& frame, Preset preset) {
-    const Framebuffer fast = render(frame, preset);
-    const Framebuffer reference = render(frame, preset, {}, {Pipeline::reference});
-    return fast.bytes == reference.bytes && fast.values == reference.values;
 }
 
 }  // namespace
